@@ -15,9 +15,9 @@
 
 #include "base/units.h"
 #include "cli/console.h"
-#include "cli/factor_feed.h"
 #include "gcode/program.h"
 #include "job/plan.h"
+#include "live/feed_factor.h"
 #include "live/setup.h"
 #include "machine/config.h"
 
@@ -99,6 +99,16 @@ struct TemplateOptions {
   bool json = false;
 };
 [[nodiscard]] Exit makeTemplate(const TemplateOptions& options);
+
+struct FactorOptions {
+  std::string source;  ///< see `sources::openSource`; empty: none
+  double silenceS = base::toSeconds(live::FactorSource{}.silence);
+  std::string inSilence = "hold";  ///< hold, override
+
+  [[nodiscard]] live::FactorSource agreed() const {
+    return {source, base::fromSeconds(silenceS), inSilence == "hold"};
+  }
+};
 
 /// A source of points that arrive while the machine moves, and what is agreed with it.
 struct LiveOptions {

@@ -123,11 +123,7 @@ streaming::FeedOrder FeedSource::order(base::Instant now) {
     }
   }
   if (m_factor != nullptr) {
-    m_order.source = m_factor->seen(now);
-    if (std::exchange(m_releases, false) && m_order.source->holds()) {
-      m_factor->release(now);
-      m_order.source = m_factor->seen(now);
-    }
+    m_factor->follow(m_order, std::exchange(m_releases, false), now);
   }
   return m_order;
 }
@@ -243,6 +239,32 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
     sayOverStatus(now.wantedPercent == templates::FeedCell::kHold
                       ? "Hold."
                       : fmt::format("Override {:g} %.", now.wantedPercent));
+  }
+}
+
+base::Result<std::unique_ptr<run::FactorFeed>> openFactor(const streaming::RunSettings& settings) {
+  auto factor = run::FactorFeed::open(settings);
+  if (factor && *factor) {
+    fmt::print(stderr, "{}\n", (*factor)->text());
+  }
+  return factor;
+}
+
+void printFactor(const std::optional<streaming::FactorReport>& report) {
+  if (!report || report->count.source.empty()) {
+    return;
+  }
+  fmt::print(
+      "factors of the override from {}: {} as agreed, {} refused, {} silences; {} written, "
+      "{:g} to {:g}\n",
+      report->count.source, report->count.values, report->count.refused, report->count.silences,
+      report->written, report->least, report->most);
+  if (report->delay.count > 0) {
+    fmt::print(
+        "delay from reading a factor to its cell: median {:.1f} ms, 99 % {:.1f} ms, max "
+        "{:.1f} ms\n",
+        base::toMilliseconds(report->delay.p50), base::toMilliseconds(report->delay.p99),
+        base::toMilliseconds(report->delay.max));
   }
 }
 

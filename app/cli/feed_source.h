@@ -9,14 +9,15 @@
 
 #include <termios.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/result.h"
 #include "cli/commands.h"
-#include "cli/factor_feed.h"
 #include "cli/progress_lines.h"
+#include "run/factor_feed.h"
 #include "streaming/run/feed_order.h"
 #include "streaming/run/run.h"
 
@@ -35,7 +36,7 @@ class FeedSource {
 
   /// From now on a source of factors acts beside the operator. "Continue" while it holds, and the
   /// operator does not, goes on without it. @param factor  outlives this object
-  void follow(FactorFeed& factor) { m_factor = &factor; }
+  void follow(run::FactorFeed& factor) { m_factor = &factor; }
 
   /// Reads what is available. The last order stays.
   [[nodiscard]] streaming::FeedOrder order(base::Instant now);
@@ -73,11 +74,18 @@ class FeedSource {
   bool m_endsRun = false;  ///< the end of the orders is a stop
   bool m_isOver = false;   ///< they have ended
   std::optional<ProgressLines> m_progress;
-  FactorFeed* m_factor = nullptr;
+  run::FactorFeed* m_factor = nullptr;
   bool m_releases = false;  ///< what the source holds
   std::optional<live::FactorSeen> m_said;
   base::Instant m_sayNext{};
   std::optional<streaming::FeedSeen> m_told;
 };
+
+/// Opens the source of factors of a run, and says on standard error what was agreed.
+/// @return as `run::FactorFeed::open`
+[[nodiscard]] base::Result<std::unique_ptr<run::FactorFeed>> openFactor(
+    const streaming::RunSettings& settings);
+/// What came of it, on standard output; nothing without a source.
+void printFactor(const std::optional<streaming::FactorReport>& report);
 
 }  // namespace rivulet::cli

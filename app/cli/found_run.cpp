@@ -28,6 +28,20 @@ std::string shellWord(const std::string& word) {
 
 namespace {
 
+void addFactor(std::vector<std::string>& command, const streaming::RunSettings& settings) {
+  if (settings.parameters.hasFactor()) {
+    command.insert(command.end(),
+                   {"--feed-factor", fmt::format("{}", settings.parameters.factorLeast),
+                    fmt::format("{}", settings.parameters.factorMost)});
+  }
+  const live::FactorSource& source = settings.factor;
+  if (!source.address.empty()) {
+    command.insert(command.end(), {"--feed-from", source.address, "--feed-silence",
+                                   fmt::format("{}", base::toSeconds(source.silence)),
+                                   "--feed-silent", source.holdsInSilence ? "hold" : "override"});
+  }
+}
+
 /// A command with the settings of a run that was started in the HMI.
 std::vector<std::string> commandOf(const report::SavedRun& run) {
   const templates::TemplateParameters& parameters = run.settings.parameters;
@@ -106,10 +120,7 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--silence-limit", fmt::format("{:g}", parameters.silenceLimitS)});
   }
-  if (parameters.hasFactor()) {
-    command.insert(command.end(), {"--feed-factor", fmt::format("{}", parameters.factorLeast),
-                                   fmt::format("{}", parameters.factorMost)});
-  }
+  addFactor(command, run.settings);
   return command;
 }
 

@@ -270,6 +270,7 @@ base::Result<void> JobCommand::prepare() {
   m_settings.access = access.choice;
   m_settings.grouping = access.grouping;
   m_settings.monitor = !m_options.noMonitor;
+  m_settings.factor = m_options.factor.agreed();
   if (base::Result<void> feeds = planFeeds(); !feeds) {
     return feeds;
   }
@@ -695,7 +696,7 @@ Exit JobCommand::run() {
   if (!feed) {
     return reportError(feed.error(), m_options.json);
   }
-  auto factor = FactorFeed::open(m_options.factor, m_settings.parameters);
+  auto factor = openFactor(m_settings);
   if (!factor) {
     return reportError(factor.error(), m_options.json);
   }

@@ -96,7 +96,7 @@ class LiveCommand {
   streaming::RunSettings m_settings;
   templates::FlexibleProgram m_flexible;
   std::unique_ptr<live::Source> m_source;
-  std::unique_ptr<FactorFeed> m_factor;
+  std::unique_ptr<run::FactorFeed> m_factor;
   Connection m_connection;
 };
 
@@ -114,7 +114,7 @@ Result<void> LiveCommand::prepare() {
   if (Result<void> ready = m_source->prepare(); !ready) {
     return ready;
   }
-  auto factor = FactorFeed::open(m_options.live.factor, m_settings.parameters);
+  auto factor = openFactor(m_settings);
   if (!factor) {
     return base::fail(factor.error());
   }

@@ -87,6 +87,7 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   settings.transfer =
       options.transfer == "by-hand" ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   settings.placePauses = !options.evenPauses;
+  settings.factor = options.live.factor.agreed();
   return settings;
 }
 
@@ -355,7 +356,7 @@ class StreamCommand {
   streaming::RunSettings m_settings;
   templates::FlexibleProgram m_flexible;  ///< of the settings, once the machine is known
   std::optional<CorrectionSource> m_source;
-  std::unique_ptr<FactorFeed> m_factor;
+  std::unique_ptr<run::FactorFeed> m_factor;
   Connection m_connection;
   CalibrationChoice m_calibrated;
   Judgement m_judged;
@@ -423,6 +424,7 @@ base::Result<void> StreamCommand::load() {
     m_settings.parameters.method = base::MethodKind::Window;
     m_settings.parameters.feedPerPoint = false;
     m_settings.parameters.factorLeast = m_settings.parameters.factorMost = 0.0;
+    m_settings.factor = {};
   }
   const auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
@@ -485,7 +487,7 @@ base::Result<void> StreamCommand::openSource() {
     }
     m_source.emplace(std::move(*opened));
   }
-  auto factor = FactorFeed::open(m_options.live.factor, m_settings.parameters);
+  auto factor = openFactor(m_settings);
   if (!factor) {
     return base::fail(factor.error());
   }

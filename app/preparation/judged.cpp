@@ -48,6 +48,7 @@ streaming::RunSettings runSettings(
       settings.feedMmPerS = wanted.overrideFactor * view->fastestMmPerS;
     }
   }
+  settings.factor = wanted.factor;
   settings.transfer =
       wanted.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   settings.access = plan.choice;
@@ -63,6 +64,7 @@ streaming::RunSettings runSettings(
 streaming::StreamSettings settingsOfRun(const streaming::RunSettings& run,
                                         streaming::StreamSettings settings) {
   settings.parameters = run.parameters;
+  settings.factor = run.factor;
   settings.programFeeds = run.programFeeds.has_value();
   if (run.programFeeds) {
     settings.overrideFactor = run.programFeeds->overrideFactor;

@@ -171,6 +171,11 @@ inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
   auto& parameters = settings.parameters;
   io.ifThere().named("method", parameters.method, base::methodName, base::methodFromName);
   cellFields(io, parameters);
+  if (Io::kReads || !settings.factor.address.empty()) {
+    io.ifThere().text("factor_source", settings.factor.address);
+    io.ifThere().seconds("factor_silence_s", settings.factor.silence);
+    io.ifThere().flag("factor_holds", settings.factor.holdsInSilence);
+  }
   io.ifThere().named("control", parameters.target, templates::targetName,
                      templates::targetFromName);
   std::string axes = templates::axisLetters(parameters);

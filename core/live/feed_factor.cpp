@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "live/error.h"
@@ -20,6 +21,8 @@ using base::Instant;
 constexpr std::size_t kFactorBytesMax = 4096;
 /// A source with more than this in a turn must not hold up the run: the rest is read in the next.
 constexpr int kFactorReadsMax = 16;
+/// What is larger, or no number, is not worth showing.
+constexpr double kFactorShownMax = 1e4;
 constexpr std::string_view kNoFactor = "The line is no factor of the feed, as feed 0.85 would be";
 
 std::string without(const FactorAgreement& agreement) {
@@ -43,6 +46,7 @@ std::string textOf(const FactorAgreement& agreement) {
 
 FeedFactor::FeedFactor(std::string source, const FactorAgreement& agreement)
     : m_agreement(agreement) {
+  m_seen.source = source;
   m_count.source = std::move(source);
   fallBack(FactorState::Waiting, "No factor has come yet", {});
 }
@@ -54,6 +58,7 @@ void FeedFactor::fallBack(FactorState state, std::string why, Instant now) {
   m_seen.state = state;
   m_seen.factor = m_agreement.holdsInSilence ? 0.0 : 1.0;
   m_seen.why = fmt::format("{}: {}.", why, without(m_agreement));
+  m_seen.refused.reset();
 }
 
 void FeedFactor::take(double factor, Instant now) {
@@ -62,11 +67,14 @@ void FeedFactor::take(double factor, Instant now) {
     refuse(fmt::format("The factor {:g} was not agreed: {:g} to {:g}, where 1 is 100 %", factor,
                        m_agreement.least, m_agreement.most),
            now);
+    if (std::abs(factor) <= kFactorShownMax) {
+      m_seen.refused = factor;
+    }
     return;
   }
   ++m_count.values;
   m_heardAt = now;
-  m_seen = {FactorState::Follows, factor, now, {}};
+  m_seen = {FactorState::Follows, factor, now, {}, m_count.source, std::nullopt};
 }
 
 void FeedFactor::refuse(std::string why, Instant now) {
@@ -80,6 +88,7 @@ void FeedFactor::close(Instant now) {
 
 void FeedFactor::release(Instant now) {
   if (m_seen.holds()) {
+    m_seen.state = FactorState::Released;
     m_seen.factor = 1.0;
     m_seen.since = now;
     m_seen.why = "The operator goes on without the source.";

@@ -30,6 +30,16 @@ struct FactorAgreement {
   friend bool operator==(const FactorAgreement&, const FactorAgreement&) = default;
 };
 
+/// Where factors come from, and what is agreed with that source beside the bounds, which are those
+/// of the program on the control.
+struct FactorSource {
+  std::string address;  ///< see `sources::openSource`; empty: there is none
+  base::Duration silence = FactorAgreement{}.silence;
+  bool holdsInSilence = FactorAgreement{}.holdsInSilence;
+
+  friend bool operator==(const FactorSource&, const FactorSource&) = default;
+};
+
 /// @return NotAgreed: a time that nobody can keep. The bounds are those of the program on the
 /// control, which looks at them.
 [[nodiscard]] base::Result<void> requireSound(const FactorAgreement& agreement);
@@ -40,17 +50,20 @@ struct FactorAgreement {
 enum class FactorState : unsigned char {
   Waiting,  ///< no factor has come yet
   Follows,
-  Silent,   ///< for longer than agreed
-  Refused,  ///< the last line was no factor that was agreed
-  Closed,   ///< nothing can come any more
+  Silent,    ///< for longer than agreed
+  Refused,   ///< the last line was no factor that was agreed
+  Closed,    ///< nothing can come any more
+  Released,  ///< the operator goes on without it, until its next factor
 };
 
 /// What acts now.
 struct FactorSeen {
   FactorState state = FactorState::Waiting;
-  double factor = 1.0;    ///< of the operator's override; 0: the axes are held
-  base::Instant since{};  ///< this value was read, or what acts in its place began to
-  std::string why;        ///< one sentence about what is not `Follows`; English
+  double factor = 1.0;            ///< of the operator's override; 0: the axes are held
+  base::Instant since{};          ///< this value was read, or what acts in its place began to
+  std::string why;                ///< one sentence about what is not `Follows`; English
+  std::string source;             ///< its name
+  std::optional<double> refused;  ///< a factor that was not agreed; nothing: no factor was sent
 
   [[nodiscard]] bool holds() const { return factor == 0.0; }
   /// The same can be said of both, whatever the factors are.

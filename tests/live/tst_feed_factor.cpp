@@ -141,6 +141,14 @@ class TestFeedFactor : public QObject {
       QCOMPARE(bench.after(1ms, line.toStdString() + "\n"), agreement.holdsInSilence ? 0.0 : 1.0);
       QVERIFY(bench.state() == FactorState::Refused);
       QVERIFY2(bench.why().starts_with(says.toStdString()), bench.why().c_str());
+      const live::FactorSeen seen = bench.factor.seen(bench.now);
+      QCOMPARE(seen.refused.value_or(-7.0), line == "feed 250"      ? 250.0
+                                            : line == "feed -1"     ? -1.0
+                                            : line == "feed 0"      ? 0.0
+                                            : line == "feed 0.1999" ? 0.1999
+                                                                    : -7.0);
+      QCOMPARE(seen.source, std::string("script"));
+      QVERIFY(seen == bench.factor.seen(bench.now));
       QVERIFY(bench.factor.count().refused >= 1);
       QCOMPARE(bench.after(1ms, "feed 0.9\n"), 0.9);
       QVERIFY(bench.state() == FactorState::Follows);
@@ -164,6 +172,7 @@ class TestFeedFactor : public QObject {
     Bench bench(kHolds);
     bench.factor.release(bench.now);
     QCOMPARE(bench.after(10s), 1.0);
+    QVERIFY(bench.state() == FactorState::Released);
     QCOMPARE(bench.after(0s, "feed 0.5\n"), 0.5);
     bench.factor.release(bench.now);
     QCOMPARE(bench.after(1ms), 0.5);

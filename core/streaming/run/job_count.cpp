@@ -53,6 +53,7 @@ RunReport JobCount::reportOf(const WholeJobReport& job, const RunSettings& setti
     report.counters = {streamed, streamed, job.integrity.judged ? job.integrity.executed : streamed,
                        streamed};
   }
+  report.factor = job.factor;
   report.controlTrace = job.controlTrace;
   return report;
 }

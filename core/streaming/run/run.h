@@ -21,6 +21,7 @@
 #include "base/vec3.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
+#include "live/feed_factor.h"
 #include "live/summary.h"
 #include "opcua/link.h"
 #include "streaming/control/access_forms.h"
@@ -179,6 +180,8 @@ struct RunSettings {
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
   TransferWay transfer = TransferWay::Link;
+  /// Multiplies the override, within the bounds of `parameters`.
+  live::FactorSource factor{};
   /// Methods with windows, where a stop acts before the next window: no window of several moves
   /// takes longer, s, at 100 %; 0: any. Method credit: all that may be executed after a stop.
   double windowSMax = 0.0;

@@ -5,6 +5,7 @@
 /// The operator's settings for a run. @threadsafety plain values.
 #pragma once
 
+#include "live/feed_factor.h"
 #include "streaming/control/access_policy.h"
 #include "templates/cells.h"
 
@@ -22,6 +23,7 @@ struct StreamSettings {
   bool wholeJob = false;
   /// > 0: a whole job runs dry, so much higher; not remembered.
   double dryRunMm = 0.0;
+  live::FactorSource factor;    ///< with the bounds of `parameters`
   bool transferByHand = false;  ///< a person brings the template to the control; not remembered
 
   /// The methods of [P1] have one feed, as published.

@@ -1,49 +1,62 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "cli/factor_feed.h"
+#include "run/factor_feed.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <utility>
 
 #include "base/units.h"
 #include "sources/open_source.h"
 
-namespace rivulet::cli {
+namespace rivulet::run {
 
-base::Result<std::unique_ptr<FactorFeed>> FactorFeed::open(
-    const FactorOptions& options, const templates::WindowSettings& bounds) {
-  if (options.source.empty()) {
+std::optional<live::FactorAgreement> agreedFactor(const streaming::RunSettings& settings) {
+  const live::FactorSource& source = settings.factor;
+  if (source.address.empty()) {
+    return std::nullopt;
+  }
+  return live::FactorAgreement{settings.parameters.factorLeast, settings.parameters.factorMost,
+                               source.silence, source.holdsInSilence};
+}
+
+base::Result<std::unique_ptr<FactorFeed>> FactorFeed::open(const streaming::RunSettings& settings) {
+  const auto agreement = agreedFactor(settings);
+  if (!agreement) {
     return std::unique_ptr<FactorFeed>();
   }
-  const live::FactorAgreement agreement{bounds.factorLeast, bounds.factorMost,
-                                        base::fromSeconds(options.silenceS),
-                                        options.inSilence == "hold"};
-  if (base::Result<void> sound = live::requireSound(agreement); !sound) {
+  if (base::Result<void> sound = live::requireSound(*agreement); !sound) {
     return base::fail(sound.error());
   }
-  auto source = sources::openSource(options.source);
+  auto source = sources::openSource(settings.factor.address);
   if (!source) {
     return base::fail(source.error());
   }
   if (base::Result<void> ready = (*source)->prepare(); !ready) {
     return base::fail(ready.error());
   }
-  fmt::print(stderr, "The feed follows {}: {}.\n", (*source)->name(), live::textOf(agreement));
-  return std::unique_ptr<FactorFeed>(new FactorFeed(std::move(*source), agreement));
+  return std::unique_ptr<FactorFeed>(new FactorFeed(std::move(*source), *agreement));
 }
 
 FactorFeed::FactorFeed(std::unique_ptr<live::Source> source, const live::FactorAgreement& agreement)
     : m_source(std::move(source)),
+      m_agreement(agreement),
       m_factor(m_source->name(), agreement),
       m_reader(*m_source, m_factor) {
 }
 
-const live::FactorSeen& FactorFeed::seen(base::Instant now) {
+std::string FactorFeed::text() const {
+  return fmt::format("The feed follows {}: {}.", m_source->name(), live::textOf(m_agreement));
+}
+
+void FactorFeed::follow(streaming::FeedOrder& order, bool goesOn, base::Instant now) {
   m_reader.turn(now);
-  return m_factor.seen(now);
+  order.source = m_factor.seen(now);
+  if (goesOn && order.source->holds()) {
+    m_factor.release(now);
+    order.source = m_factor.seen(now);
+  }
 }
 
 void FactorFeed::tell(const streaming::LiveUpdate& update) {
@@ -72,22 +85,4 @@ void FactorFeed::finish(std::string_view outcome, std::optional<streaming::Facto
   }
 }
 
-void printFactor(const std::optional<streaming::FactorReport>& report) {
-  if (!report || report->count.source.empty()) {
-    return;
-  }
-  fmt::print(
-      "factors of the override from {}: {} as agreed, {} refused, {} silences; {} written, "
-      "{:g} to {:g}\n",
-      report->count.source, report->count.values, report->count.refused, report->count.silences,
-      report->written, report->least, report->most);
-  if (report->delay.count > 0) {
-    fmt::print(
-        "delay from reading a factor to its cell: median {:.1f} ms, 99 % {:.1f} ms, max "
-        "{:.1f} ms\n",
-        base::toMilliseconds(report->delay.p50), base::toMilliseconds(report->delay.p99),
-        base::toMilliseconds(report->delay.max));
-  }
-}
-
-}  // namespace rivulet::cli
+}  // namespace rivulet::run
