@@ -76,6 +76,9 @@ class SessionWorker::Sink final : public streaming::RunSink {
   void update(const streaming::LiveUpdate& update) override {
     const bool important = update.pause || update.state != m_state;
     m_state = update.state;
+    if (m_worker.m_factor) {
+      m_worker.m_factor->tell(update);
+    }
     if (important) {
       m_worker.tell(update);
     } else {
@@ -203,9 +206,15 @@ class SessionWorker::Requests final : public streaming::RunOrders {
     return m_worker.m_correctionMm;
   }
   bool holdRequested(base::Instant) override { return m_worker.m_feed.holds.load(); }
-  streaming::FeedOrder feed(base::Instant) override {
-    return {m_worker.m_feed.holds.load(), m_worker.m_feed.percent.load(), std::nullopt,
-            m_worker.m_feed.liftMm.load()};
+  streaming::FeedOrder feed(base::Instant now) override {
+    streaming::FeedOrder order{m_worker.m_feed.holds.load(), m_worker.m_feed.percent.load(),
+                               std::nullopt, m_worker.m_feed.liftMm.load()};
+    if (m_worker.m_factor) {
+      // Whoever has ordered the end does not wait for a source.
+      const bool ends = m_worker.m_stopRun.load() && m_worker.m_letsEnd.load();
+      m_worker.m_factor->follow(order, m_worker.m_feed.goesOn.exchange(false) || ends, now);
+    }
+    return order;
   }
   bool letsEnd(base::Instant) override { return m_worker.m_letsEnd.load(); }
   bool leaves(base::Instant) override { return m_worker.m_quit.load() || m_worker.m_leaves.load(); }
@@ -235,6 +244,7 @@ bool SessionWorker::post(SessionCommand command) {
     m_leaves.store(false);
     correct({});
     m_feed.holds.store(false);
+    m_feed.goesOn.store(false);
     m_feed.percent.store(templates::FeedCell::kProgrammed);
     m_feed.liftMm.store(0.0);
   }
@@ -261,7 +271,8 @@ void SessionWorker::correct(base::Vec3 valueMm) {
 }
 
 void SessionWorker::holdRun(bool hold) {
-  m_feed.holds.store(hold);
+  const bool didHold = m_feed.holds.exchange(hold);
+  m_feed.goesOn.store(!hold && !didHold);
   if (!hold) {
     m_letsEnd.store(true);
   }
@@ -831,9 +842,15 @@ void SessionWorker::start(const StartCommand& command) {
   if (clear && command.live) {
     clear = m_source->prepare();
   }
+  if (auto factor = clear ? run::FactorFeed::open(command.settings) : base::fail(clear.error())) {
+    m_factor = *std::move(factor);
+  } else {
+    clear = base::fail(factor.error());
+  }
   run::RunRecord record(factsOf(command));
   clear = clear ? record.open() : clear;
   if (!clear) {
+    m_factor.reset();
     auto report = std::make_shared<streaming::RunReport>();
     report->error = clear.error();
     report->settings = command.settings;
@@ -846,6 +863,10 @@ void SessionWorker::start(const StartCommand& command) {
   Done done = command.live   ? runLive(command, *flexible, settings, requests, record)
               : command.plan ? runWholeJob(command, settings, requests, record)
                              : runMotion(command, *flexible, settings, requests, record);
+  if (m_factor) {
+    m_factor->finish(streaming::outcomeName(done.report.outcome), done.report.factor);
+    m_factor.reset();  // the sender hears the end
+  }
   record.finish(done.report, {done.points, done.jobTimes, done.tools});
   m_seen = {};
   m_looksForLeft = true;

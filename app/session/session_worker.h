@@ -21,6 +21,7 @@
 #include "opcua/connection.h"
 #include "report/machine_store.h"
 #include "report/run_store.h"
+#include "run/factor_feed.h"
 #include "run/run_record.h"
 #include "session/session_event.h"
 #include "streaming/control/control_axes.h"
@@ -51,7 +52,8 @@ class SessionWorker {
   void correct(base::Vec3 valueMm);
   /// Makes the axes of the run or job in progress stand at once, by its feed cell, and wait before
   /// its next window; or continue. After a stop as well: a run that is held then ends when it goes
-  /// on. A start takes it back.
+  /// on. To continue while only the source of factors holds is to go on without it, until its next
+  /// factor. A start takes it back.
   void holdRun(bool hold);
   /// See `streaming::FeedOrder`; 0: back onto the path.
   void liftTool(double mm);
@@ -143,6 +145,7 @@ class SessionWorker {
   /// What is wanted of the feed of the run in progress.
   struct FeedWanted {
     std::atomic<bool> holds{false};
+    std::atomic<bool> goesOn{false};  ///< without the source that holds
     std::atomic<double> percent{templates::FeedCell::kProgrammed};
     std::atomic<double> liftMm{0.0};
   };
@@ -165,7 +168,8 @@ class SessionWorker {
   bool m_looksForLeft = false;                   // the store may have changed
   std::string m_proven;             // text of the template proved last; streaming thread only
   opcua::ConnectRequest m_request;  // that `m_connection` was made for
-  std::unique_ptr<live::Source> m_source;  // of live points; streaming thread only; null: none
+  std::unique_ptr<live::Source> m_source;     // of live points; streaming thread only; null: none
+  std::unique_ptr<run::FactorFeed> m_factor;  // of the run in progress; streaming thread only
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };
