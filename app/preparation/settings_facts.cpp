@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "gcode/feeds.h"
+#include "sources/open_source.h"
 
 namespace rivulet::preparation {
 
@@ -20,13 +21,47 @@ const std::string kDry = "dry ";
 constexpr std::string_view kAuto = "auto";
 /// Between accepted words, none of which has one.
 constexpr char kBar = '|';
+constexpr std::string_view kNoSource = "none";
+constexpr std::string_view kHold = "hold";
+constexpr std::string_view kOverride = "override";
+constexpr double kSilenceSMax = 3600.0;
+
+/// Adaptive feed.
+SettingsFacts factorFacts(const streaming::StreamSettings& settings) {
+  constexpr int kDecimals = 4;
+  const live::FactorSource& source = settings.factor;
+  return {
+      {"feed_factor_least", base::formatFixed(settings.parameters.factorLeast, kDecimals)},
+      {"feed_factor_most", base::formatFixed(settings.parameters.factorMost, kDecimals)},
+      {"feed_from", source.address.empty() ? std::string(kNoSource) : source.address},
+      {"feed_silence", base::formatFixed(base::toSeconds(source.silence), kDecimals)},
+      {"feed_silent", source.holdsInSilence ? std::string(kHold) : std::string(kOverride)},
+  };
+}
+
+void applyFactor(streaming::StreamSettings& settings, const std::string& name,
+                 const std::string& value) {
+  const auto number = base::parseNumber(value);
+  const bool isFactor = number && *number >= 0.0 && *number <= templates::kFactorMax;
+  if (name == "feed_factor_least" && isFactor) {
+    settings.parameters.factorLeast = *number;
+  } else if (name == "feed_factor_most" && isFactor) {
+    settings.parameters.factorMost = *number;
+  } else if (name == "feed_from" && (value == kNoSource || sources::isPort(value))) {
+    settings.factor.address = value == kNoSource ? std::string() : value;
+  } else if (name == "feed_silence" && number && *number > 0.0 && *number <= kSilenceSMax) {
+    settings.factor.silence = base::fromSeconds(*number);
+  } else if (name == "feed_silent" && (value == kHold || value == kOverride)) {
+    settings.factor.holdsInSilence = value == kHold;
+  }
+}
 
 }  // namespace
 
 SettingsFacts settingsFacts(const streaming::StreamSettings& settings) {
   const templates::TemplateParameters& parameters = settings.parameters;
   constexpr int kDecimals = 4;
-  return {
+  SettingsFacts facts{
       {"method", std::string(base::methodName(parameters.method))},
       {"points", std::to_string(parameters.pointsPerLoop)},
       {"feed", base::formatFixed(base::mmPerMinFromMmPerS(settings.feedMmPerS), kDecimals)},
@@ -44,6 +79,9 @@ SettingsFacts settingsFacts(const streaming::StreamSettings& settings) {
                                         : "whole"},
       {"transfer_by_hand", settings.transferByHand ? "yes" : "no"},
   };
+  const SettingsFacts factor = factorFacts(settings);
+  facts.insert(facts.end(), factor.begin(), factor.end());
+  return facts;
 }
 
 void applySettings(streaming::StreamSettings& settings, const SettingsFacts& facts) {
@@ -83,6 +121,8 @@ void applySettings(streaming::StreamSettings& settings, const SettingsFacts& fac
       parameters.feedPerPoint = value == "yes";
     } else if (name == "transfer_by_hand") {
       settings.transferByHand = value == "yes";
+    } else {
+      applyFactor(settings, name, value);
     }
   }
 }
@@ -136,12 +176,14 @@ void applyReading(gcode::TextReading& reading, const SettingsFacts& facts) {
 SettingsFacts releasedFacts(const streaming::StreamSettings& settings,
                             const gcode::TextReading& reading) {
   SettingsFacts facts = settingsFacts(settings);
-  const SettingsFacts usual = readingFacts({});
-  for (const auto& fact : readingFacts(reading)) {
-    if (std::find(usual.begin(), usual.end(), fact) == usual.end()) {
-      facts.push_back(fact);
-    }
-  }
+  const SettingsFacts ofReading = readingFacts(reading);
+  facts.insert(facts.end(), ofReading.begin(), ofReading.end());
+  SettingsFacts usual = readingFacts({});
+  const SettingsFacts noFactor = factorFacts({});
+  usual.insert(usual.end(), noFactor.begin(), noFactor.end());
+  std::erase_if(facts, [&usual](const auto& fact) {
+    return std::find(usual.begin(), usual.end(), fact) != usual.end();
+  });
   return facts;
 }
 

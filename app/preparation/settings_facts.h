@@ -21,14 +21,16 @@ using SettingsFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// Every setting of a run.
 [[nodiscard]] SettingsFacts settingsFacts(const streaming::StreamSettings& settings);
-/// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is.
+/// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is. Whoever gives
+/// names may sit at another computer: a source of factors is a port, and no path.
 void applySettings(streaming::StreamSettings& settings, const SettingsFacts& facts);
 
 /// How the text is read. What nobody has said is "auto".
 [[nodiscard]] SettingsFacts readingFacts(const gcode::TextReading& reading);
 /// Inverse of `readingFacts`: what is not named, or is no value, stays as it is.
 void applyReading(gcode::TextReading& reading, const SettingsFacts& facts);
-/// What a release names: every setting of a run, and of the reading what somebody has said.
+/// What a release names: every setting of a run, and of the reading and of a source of factors what
+/// somebody has said.
 [[nodiscard]] SettingsFacts releasedFacts(const streaming::StreamSettings& settings,
                                           const gcode::TextReading& reading);
 

@@ -132,6 +132,15 @@ base::Result<JobSettings> settingsWith(JobSettings settings, const std::string& 
           fmt::format("{} is no value of the setting {}, which is {} now.", value, name, *taken));
     }
   }
+  if (settings.run.parameters.hasFactor() == settings.run.factor.address.empty()) {
+    return base::fail(
+        ServiceError::BadSettings,
+        settings.run.parameters.hasFactor()
+            ? "feed_factor_least and feed_factor_most need a source: feed_from=tcp:4002, "
+              "or udp and a port."
+            : "feed_from needs the bounds of the factor, such as "
+              "feed_factor_least=0.2;feed_factor_most=1.2.");
+  }
   return settings;
 }
 

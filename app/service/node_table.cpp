@@ -38,6 +38,13 @@ constexpr std::array kVariables{
     VariableRow{"Monitoring/Override",
                 "Path override that the control obeys, %; 0: held; below 0: not known.",
                 &Snapshot::overridePercent},
+    VariableRow{"Monitoring/FeedFactor",
+                "Adaptive feed: factor of the override that is in force; 0: its source holds the "
+                "axes; below 0: there is none.",
+                &Snapshot::feedFactor},
+    VariableRow{"Monitoring/FeedSource",
+                "Adaptive feed: where the factors come from, and why none acts; empty: no source.",
+                &Snapshot::feedSource},
     VariableRow{"Monitoring/Stands", "The run is held, and the axes were seen to stand.",
                 &Snapshot::stands},
     VariableRow{"Monitoring/LateWindows",

@@ -19,6 +19,7 @@
 #include "preparation/judged.h"
 #include "preparation/release_file.h"
 #include "report/run_history.h"
+#include "run/factor_feed.h"
 #include "service/machine_lock.h"
 #include "streaming/control/control_alarm.h"
 #include "streaming/run/run_summary.h"
@@ -69,6 +70,14 @@ std::string refusalText(permission::Refusal refusal) {
       break;
   }
   return streaming::blockedError(blocked).message;
+}
+
+/// Adaptive feed; empty: none.
+std::string factorText(const streaming::RunSettings& settings) {
+  const auto agreed = run::agreedFactor(settings);
+  return agreed ? fmt::format("The feed follows {}: {}. ", settings.factor.address,
+                              live::textOf(*agreed))
+                : std::string();
 }
 
 std::string blockedText(const streaming::Blocked& blocked) {
@@ -500,6 +509,7 @@ std::string ServiceSession::describeStart() const {
                     base::mmPerMinFromMmPerS(settings.feedMmPerS))
               : fmt::format("The feed is {:.0f} mm/min for all moves. ",
                             base::mmPerMinFromMmPerS(settings.feedMmPerS));
+  text += factorText(settings);
   if (view.isJob()) {
     text += fmt::format("The control executes {} blocks itself. ", view.outline.needed().size());
     if (m_job->settings.dryRunMm > 0.0) {
@@ -782,11 +792,11 @@ std::string ServiceSession::describeResume(const report::SavedRun& run) const {
   if (const std::string rest = run::restText(restMm); !rest.empty()) {
     text = rest + " " + text;
   }
-  return text;
+  return factorText(m_job->runSettings) + text;
 }
 
 std::string ServiceSession::describeBeginning(const run::JobRestart& restart) const {
-  return replacedText() +
+  return replacedText() + factorText(m_job->runSettings) +
          fmt::format("Start begins {} ({}, read from {}) on {}", m_job->view->program->name,
                      m_job->view->program->hash, m_job->file.string(), m_options.machine.endpoint) +
          beginningOf(restart, m_job->view->plan->stretchCount());
@@ -1017,6 +1027,10 @@ Snapshot ServiceSession::snapshot() const {
   seen.stretch = m_whole ? static_cast<std::uint32_t>(std::max(0, m_whole->stretch)) : 0;
   if (m_isRunning && m_update.feed) {
     seen.overridePercent = m_update.feed->actsPercent.value_or(-1.0);
+    if (const auto& source = m_update.feed->source) {
+      seen.feedFactor = m_update.feed->factor;
+      seen.feedSource = source->source + ": " + (source->why.empty() ? "followed." : source->why);
+    }
     seen.stands = m_update.feed->holds && m_update.feed->stoodAfter && !m_update.feed->isIgnored;
   }
   seen.pointsDone = static_cast<std::uint32_t>(m_update.counters.executed);

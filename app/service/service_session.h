@@ -82,13 +82,15 @@ struct Snapshot {
   std::uint32_t runNumber = 0;
   std::vector<double> positionMm;
   double overridePercent = -1.0;  ///< that the control obeys; 0: held; < 0: not known, or none
-  bool stands = false;            ///< held, and the axes were seen to stand
-  bool canResume = false;         ///< a run was left
-  std::string leftRun;            ///< which one; empty: none
-  std::string alarm;              ///< why nothing goes on; empty: no alarm
-  std::string message;            ///< what happened last
-  std::string outcome;            ///< of the last run; empty: none has ended
-  std::string report;             ///< its file in the history
+  double feedFactor = -1.0;       ///< of the override, in force; 0: its source holds; < 0: none
+  std::string feedSource;  ///< what becomes of its factors, one sentence; empty: there is none
+  bool stands = false;     ///< held, and the axes were seen to stand
+  bool canResume = false;  ///< a run was left
+  std::string leftRun;     ///< which one; empty: none
+  std::string alarm;       ///< why nothing goes on; empty: no alarm
+  std::string message;     ///< what happened last
+  std::string outcome;     ///< of the last run; empty: none has ended
+  std::string report;      ///< its file in the history
 };
 
 class ServiceSession {

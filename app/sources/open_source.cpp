@@ -6,6 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "base/text.h"
 #include "live/error.h"
 #include "sources/socket_source.h"
@@ -21,12 +25,32 @@ bool inputBringsPoints() {
          (S_ISFIFO(input.st_mode) || S_ISREG(input.st_mode) || S_ISSOCK(input.st_mode));
 }
 
+namespace {
+
+/// "tcp" and "4001".
+std::pair<std::string, std::string> partsOf(const std::string& address) {
+  const std::string kind = address.substr(0, address.find(':'));
+  return {kind, address.substr(std::min(kind.size() + 1, address.size()))};
+}
+
+std::optional<int> portOf(const std::string& kind, const std::string& rest) {
+  const std::optional<int> port = base::parseInteger(rest);
+  const bool isPort = (kind == "tcp" || kind == "udp") && port && *port >= 0 && *port <= 65'535;
+  return isPort ? port : std::nullopt;
+}
+
+}  // namespace
+
+bool isPort(const std::string& address) {
+  const auto [kind, rest] = partsOf(address);
+  return portOf(kind, rest).has_value();
+}
+
 base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address) {
   if (address == "-") {
     return std::unique_ptr<live::Source>(std::make_unique<PipeSource>(STDIN_FILENO));
   }
-  const std::string kind = address.substr(0, address.find(':'));
-  const std::string rest = address.substr(std::min(kind.size() + 1, address.size()));
+  const auto [kind, rest] = partsOf(address);
   if (kind == "unix") {
     return StreamSocketSource::listenUnix(rest);
   }
@@ -35,12 +59,12 @@ base::Result<std::unique_ptr<live::Source>> openSource(const std::string& addres
     return ServerSource::open(rest);
   }
 #endif
-  const std::optional<int> port = base::parseInteger(rest);
-  if ((kind == "tcp" || kind == "udp") && port && *port >= 0 && *port <= 65'535) {
+  if (const auto port = portOf(kind, rest)) {
     return kind == "tcp" ? StreamSocketSource::listenTcp(*port) : DatagramSource::listen(*port);
   }
   return base::fail(live::LiveError::NotOpened,
-                    "This is no live source. Give -, unix:PATH, tcp:PORT, udp:PORT or opcua:FILE.", address);
+                    "This is no live source. Give -, unix:PATH, tcp:PORT, udp:PORT or opcua:FILE.",
+                    address);
 }
 
 }  // namespace rivulet::sources

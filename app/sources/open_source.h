@@ -17,6 +17,9 @@ namespace rivulet::sources {
 /// it.
 [[nodiscard]] bool inputBringsPoints();
 
+/// "tcp:PORT" or "udp:PORT": a source that names no file.
+[[nodiscard]] bool isPort(const std::string& address);
+
 /// @param address  "-": standard input; "unix:PATH"; "tcp:PORT" and "udp:PORT" on this computer;
 /// "opcua:FILE": variables of another server, see `server_map.h`
 /// @return NotOpened, and what a connection returns

@@ -6,6 +6,8 @@
 /// has nothing but the list of points and the machine's own list of executed blocks.
 
 #include <QFileInfo>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
@@ -143,6 +145,83 @@ class TestService : public QObject {
     QVERIFY(m_scene.isWhole(before));
   }
 
+  /// A sensor over a real socket: its factors act, within what was agreed and shown before.
+  void factorsMultiplyTheOverride() {
+    const std::size_t before = m_scene.executed().size();
+    QTcpServer free;
+    QVERIFY(free.listen(QHostAddress::LocalHost));
+    const quint16 port = free.serverPort();
+    free.close();
+    const std::string name = "tcp:" + std::to_string(port);
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    const std::string factor =
+        ";feed_from=" + name + ";feed_factor_least=0.2;feed_factor_most=1.2;feed_silence=600";
+    const auto loaded = service->call("LoadJob", {file(), kSettings + factor});
+    QVERIFY2(loaded.accepted, loaded.message.c_str());
+    const auto shown = service->call("Preflight");
+    QVERIFY2(shown.message.find("The feed follows " + name +
+                                ": factor 0.2 to 1.2; without one for 600 s the axes are held.") !=
+                 std::string::npos,
+             shown.message.c_str());
+    QCOMPARE(service->value("Monitoring/FeedFactor"), "-1");
+    QVERIFY(service->call("Start", {shown.confirmation}).accepted);
+    QVERIFY(service->await("Monitoring/FeedFactor", "0"));
+    QVERIFY(service->await("Monitoring/FeedSource",
+                           name + ": No factor has come yet: the axes are held."));
+    QTcpSocket sensor;
+    sensor.connectToHost(QStringLiteral("127.0.0.1"), port);
+    QVERIFY(sensor.waitForConnected(tests::kSoonMs));
+    const auto send = [&sensor](const char* line) {
+      sensor.write(line);
+      QVERIFY(sensor.waitForBytesWritten(tests::kSoonMs));
+    };
+    send("feed 0.5\n");
+    QVERIFY(service->await("Monitoring/Override", "50"));
+    QVERIFY(service->await("Monitoring/FeedFactor", "0.5"));
+    QVERIFY(service->await("Monitoring/FeedSource", name + ": followed."));
+    send("feed 250\n");
+    QVERIFY(service->await("Monitoring/Override", "0"));
+    QVERIFY(service->awaitThat([](const ServiceProcess::Values& values) {
+      return values.at("Monitoring/FeedSource").find("The factor 250 was not agreed") !=
+             std::string::npos;
+    }));
+    QVERIFY(service->await("Monitoring/Stands", "true"));
+    // Without the source, until its next factor.
+    QVERIFY(service->call("Resume").accepted);
+    QVERIFY(service->await("Monitoring/Override", "100"));
+    send("feed 1.2\n");
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QVERIFY(m_scene.isWhole(before));
+    QCOMPARE(service->value("Monitoring/FeedSource"), "");
+    QFile report(QString::fromStdString(service->value("Session/LastReport")));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const auto json = nlohmann::json::parse(report.readAll().toStdString());
+    QCOMPARE(json.at("factor").at("source").get<std::string>(), name);
+    QCOMPARE(json.at("factor").at("refused").get<int>(), 1);
+  }
+
+  /// Whoever stops and ends a run does not wait for its source of factors.
+  void aSourceThatHoldsDoesNotKeepARun() {
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    QVERIFY(service
+                ->call("LoadJob",
+                       {file(), std::string(kSettings) + ";feed_from=udp:0;feed_factor_least=0.2;"
+                                                         "feed_factor_most=1.2"})
+                .accepted);
+    QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
+    QVERIFY(service->await("Monitoring/FeedFactor", "0"));
+    QVERIFY(service->call("Stop").accepted);
+    QVERIFY(service->await("Monitoring/Stands", "true"));
+    QVERIFY(service->call("Resume").accepted);
+    QVERIFY(service->await("Session/LastOutcome", "stopped"));
+    QVERIFY(m_scene.isReset());
+    if (service->value("ProductionPlan/CanResume") == "true") {
+      QVERIFY(service->call("ForgetRun").accepted);
+    }
+  }
+
   /// Stop holds first: the axes stand in the middle of a window, and the run ends behind it when
   /// somebody lets it.
   void stopHoldsFirst() {
@@ -243,6 +322,19 @@ class TestService : public QObject {
     QCOMPARE(refusal("rows.nc", "settings=plane=0 lift=-X"), "accepted");
     QVERIFY(says("rows.nc", "settings=depth=0", "depth=0 is no value of the setting settings"));
     QVERIFY(says("rows.nc", "colour=blue", "There is no setting colour."));
+    // A client of the service names a port: a path would be one of the service's user.
+    for (const char* wrong : {"feed_from=unix:/tmp/x", "feed_from=-", "feed_from=opcua:/etc/passwd",
+                              "feed_from=tcp:70000", "feed_factor_most=250", "feed_factor_least=-1",
+                              "feed_silence=0", "feed_silence=nan", "feed_silent=stop"}) {
+      const std::string name = std::string(wrong).substr(0, std::string(wrong).find('='));
+      QVERIFY2(says("rows.nc", wrong, "is no value of the setting " + name), wrong);
+    }
+    QVERIFY(says("rows.nc", "feed_from=tcp:4002", "feed_from needs the bounds of the factor"));
+    QVERIFY(says("rows.nc", "feed_factor_least=0.2;feed_factor_most=1.2", "need a source"));
+    QCOMPARE(refusal("rows.nc", "feed_from=tcp:4002;feed_factor_least=0.2;feed_factor_most=0.9"),
+             "accepted");
+    QVERIFY(service->call("Preflight").message.find("factor of the override is possible") !=
+            std::string::npos);
     QVERIFY(says("rows.nc", "fast", "Settings are written as name=value"));
   }
 
