@@ -2362,6 +2362,42 @@
             <numerusform>%Ln Punkte zusammengefasst</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Adaptive feed: %1 % of your override, from %2</source>
+        <translation>Adaptiver Vorschub: %1&#xa0;% Ihres Overrides, von %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: without %1, until its next factor</source>
+        <translation>Adaptiver Vorschub: ohne %1, bis zu ihrem nächsten Faktor</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the axes are held. %1: %2</source>
+        <translation>Adaptiver Vorschub: Die Achsen werden gehalten. %1: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: your override acts alone. %1: %2</source>
+        <translation>Adaptiver Vorschub: Nur Ihr Override wirkt. %1: %2</translation>
+    </message>
+    <message>
+        <source>no factor has come yet</source>
+        <translation>noch kein Faktor gekommen</translation>
+    </message>
+    <message>
+        <source>no factor has come in time</source>
+        <translation>kein Faktor zur rechten Zeit gekommen</translation>
+    </message>
+    <message>
+        <source>%1 % was not agreed</source>
+        <translation>%1&#xa0;% war nicht vereinbart</translation>
+    </message>
+    <message>
+        <source>its last line is no factor</source>
+        <translation>die letzte Zeile ist kein Faktor</translation>
+    </message>
+    <message>
+        <source>it has closed</source>
+        <translation>die Quelle ist geschlossen</translation>
+    </message>
 </context>
 <context>
     <name>MachineCard</name>
@@ -5066,6 +5102,22 @@ GPL-3.0-or-later</translation>
         <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
         <translation>Schon die erste Bewegung, zu Zeile %1, dauert %2: Das Werkzeug vor dem Start näher heranfahren.</translation>
     </message>
+    <message>
+        <source>%1 multiplies your override: %2 to %3, and no more than 120 % in all.</source>
+        <translation>%1 multipliziert Ihren Override: mit %2 bis %3, insgesamt höchstens 120&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Adaptiver Vorschub</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 the axes are held; nothing moves before the first.</source>
+        <translation>Ohne Faktor seit %1 werden die Achsen gehalten; vor dem ersten bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 your override acts alone.</source>
+        <translation>Ohne Faktor seit %1 wirkt nur Ihr Override.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -6867,6 +6919,85 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrix</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FactorPanel</name>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>Smallest factor of your override that may act</source>
+        <translation>Kleinster Faktor auf Ihren Override, der wirken darf</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Largest factor that may act; together with your override no more than 120 % of the programmed feed</source>
+        <translation>Größter Faktor, der wirken darf; mit Ihrem Override zusammen höchstens 120&#xa0;% des programmierten Vorschubs</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Stille nach</translation>
+    </message>
+    <message>
+        <source>Without a factor</source>
+        <translation>Ohne Faktor</translation>
+    </message>
+    <message>
+        <source>Before the first one, when the source is silent or closed, and when it sends what was not agreed</source>
+        <translation>Vor dem ersten, wenn die Quelle still oder geschlossen ist, und wenn sie sendet, was nicht vereinbart war</translation>
+    </message>
+    <message>
+        <source>Your override acts alone.</source>
+        <translation>Nur Ihr Override wirkt.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on. Nothing moves before its first factor.</source>
+        <translation>Sie wird ab dem Start gelesen. Vor ihrem ersten Faktor bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on.</source>
+        <translation>Sie wird ab dem Start gelesen.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Adaptiver Vorschub</translation>
+    </message>
+    <message>
+        <source>A sensor or script that sends lines such as feed 0.85: 85 % of your override, until the next one. Pause and Stop always act.</source>
+        <translation>Ein Sensor oder Skript, das Zeilen wie feed 0.85 sendet: 85&#xa0;% Ihres Overrides, bis zur nächsten. Pause und Stopp wirken immer.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>TCP on this computer</source>
+        <translation>TCP auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Hold the axes</source>
+        <translation>Achsen halten</translation>
+    </message>
+    <message>
+        <source>Your override alone</source>
+        <translation>Nur Ihr Override</translation>
     </message>
 </context>
 <context>
@@ -10240,6 +10371,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>The tool goes straight up; the path waits.</source>
         <translation>Das Werkzeug fährt gerade nach oben; die Bahn wartet.</translation>
+    </message>
+    <message>
+        <source>Continue goes on without it</source>
+        <translation>Weiter fährt ohne sie fort</translation>
     </message>
 </context>
 <context>

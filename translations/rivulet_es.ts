@@ -2362,6 +2362,42 @@
             <numerusform>%Ln puntos unidos</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Adaptive feed: %1 % of your override, from %2</source>
+        <translation>Avance adaptativo: %1&#xa0;% de su override, de %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: without %1, until its next factor</source>
+        <translation>Avance adaptativo: sin %1, hasta su próximo factor</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the axes are held. %1: %2</source>
+        <translation>Avance adaptativo: los ejes están retenidos. %1: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: your override acts alone. %1: %2</source>
+        <translation>Avance adaptativo: actúa solo su override. %1: %2</translation>
+    </message>
+    <message>
+        <source>no factor has come yet</source>
+        <translation>aún no ha llegado ningún factor</translation>
+    </message>
+    <message>
+        <source>no factor has come in time</source>
+        <translation>ningún factor ha llegado a tiempo</translation>
+    </message>
+    <message>
+        <source>%1 % was not agreed</source>
+        <translation>%1&#xa0;% no estaba acordado</translation>
+    </message>
+    <message>
+        <source>its last line is no factor</source>
+        <translation>su última línea no es un factor</translation>
+    </message>
+    <message>
+        <source>it has closed</source>
+        <translation>se ha cerrado</translation>
+    </message>
 </context>
 <context>
     <name>MachineCard</name>
@@ -5066,6 +5102,22 @@ GPL-3.0-or-later</translation>
         <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
         <translation>El primer movimiento, hasta la línea %1, dura por sí solo %2: acercar la herramienta antes del inicio.</translation>
     </message>
+    <message>
+        <source>%1 multiplies your override: %2 to %3, and no more than 120 % in all.</source>
+        <translation>%1 multiplica su override: de %2 a %3, y no más del 120&#xa0;% en total.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avance adaptativo</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 the axes are held; nothing moves before the first.</source>
+        <translation>Sin un factor durante %1 los ejes quedan retenidos; antes del primero no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 your override acts alone.</source>
+        <translation>Sin un factor durante %1 actúa solo su override.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -6867,6 +6919,85 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matriz</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FactorPanel</name>
+    <message>
+        <source>Source</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Como mínimo</translation>
+    </message>
+    <message>
+        <source>Smallest factor of your override that may act</source>
+        <translation>El menor factor de su override que puede actuar</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Como máximo</translation>
+    </message>
+    <message>
+        <source>Largest factor that may act; together with your override no more than 120 % of the programmed feed</source>
+        <translation>El mayor factor que puede actuar; junto con su override no más del 120&#xa0;% del avance programado</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Sin señal tras</translation>
+    </message>
+    <message>
+        <source>Without a factor</source>
+        <translation>Sin un factor</translation>
+    </message>
+    <message>
+        <source>Before the first one, when the source is silent or closed, and when it sends what was not agreed</source>
+        <translation>Antes del primero, cuando la fuente calla o está cerrada, y cuando envía lo que no estaba acordado</translation>
+    </message>
+    <message>
+        <source>Your override acts alone.</source>
+        <translation>Actúa solo su override.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on. Nothing moves before its first factor.</source>
+        <translation>Se lee a partir del inicio. Antes de su primer factor no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on.</source>
+        <translation>Se lee a partir del inicio.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avance adaptativo</translation>
+    </message>
+    <message>
+        <source>A sensor or script that sends lines such as feed 0.85: 85 % of your override, until the next one. Pause and Stop always act.</source>
+        <translation>Un sensor o un script que envía líneas como feed 0.85: 85&#xa0;% de su override, hasta la siguiente. Pausa y Parada actúan siempre.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>TCP on this computer</source>
+        <translation>TCP en este ordenador</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP en este ordenador</translation>
+    </message>
+    <message>
+        <source>Hold the axes</source>
+        <translation>Retener los ejes</translation>
+    </message>
+    <message>
+        <source>Your override alone</source>
+        <translation>Solo su override</translation>
     </message>
 </context>
 <context>
@@ -10240,6 +10371,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The tool goes straight up; the path waits.</source>
         <translation>La herramienta sube en línea recta; la trayectoria espera.</translation>
+    </message>
+    <message>
+        <source>Continue goes on without it</source>
+        <translation>Continuar sigue sin ella</translation>
     </message>
 </context>
 <context>

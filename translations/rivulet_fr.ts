@@ -2362,6 +2362,42 @@
             <numerusform>%Ln points fusionnés</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Adaptive feed: %1 % of your override, from %2</source>
+        <translation>Avance adaptative&#xa0;: %1&#xa0;% de votre override, de %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: without %1, until its next factor</source>
+        <translation>Avance adaptative&#xa0;: sans %1, jusqu’à son prochain facteur</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the axes are held. %1: %2</source>
+        <translation>Avance adaptative&#xa0;: les axes sont retenus. %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: your override acts alone. %1: %2</source>
+        <translation>Avance adaptative&#xa0;: votre override agit seul. %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>no factor has come yet</source>
+        <translation>aucun facteur n’est encore arrivé</translation>
+    </message>
+    <message>
+        <source>no factor has come in time</source>
+        <translation>aucun facteur n’est arrivé à temps</translation>
+    </message>
+    <message>
+        <source>%1 % was not agreed</source>
+        <translation>%1&#xa0;% n’était pas convenu</translation>
+    </message>
+    <message>
+        <source>its last line is no factor</source>
+        <translation>sa dernière ligne n’est pas un facteur</translation>
+    </message>
+    <message>
+        <source>it has closed</source>
+        <translation>elle s’est fermée</translation>
+    </message>
 </context>
 <context>
     <name>MachineCard</name>
@@ -5066,6 +5102,22 @@ GPL-3.0-or-later</translation>
         <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
         <translation>Le premier déplacement, vers la ligne %1, dure à lui seul %2&#xa0;: approchez l’outil avant le départ.</translation>
     </message>
+    <message>
+        <source>%1 multiplies your override: %2 to %3, and no more than 120 % in all.</source>
+        <translation>%1 multiplie votre override&#xa0;: de %2 à %3, et au plus 120&#xa0;% en tout.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avance adaptative</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 the axes are held; nothing moves before the first.</source>
+        <translation>Sans facteur pendant %1, les axes sont retenus&#xa0;; rien ne bouge avant le premier.</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 your override acts alone.</source>
+        <translation>Sans facteur pendant %1, votre override agit seul.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -6867,6 +6919,85 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrice</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FactorPanel</name>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
+        <source>Smallest factor of your override that may act</source>
+        <translation>Le plus petit facteur de votre override qui puisse agir</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Largest factor that may act; together with your override no more than 120 % of the programmed feed</source>
+        <translation>Le plus grand facteur qui puisse agir&#xa0;; avec votre override, au plus 120&#xa0;% de l’avance programmée</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Muette après</translation>
+    </message>
+    <message>
+        <source>Without a factor</source>
+        <translation>Sans facteur</translation>
+    </message>
+    <message>
+        <source>Before the first one, when the source is silent or closed, and when it sends what was not agreed</source>
+        <translation>Avant le premier, quand la source est muette ou fermée, et quand elle envoie ce qui n’était pas convenu</translation>
+    </message>
+    <message>
+        <source>Your override acts alone.</source>
+        <translation>Votre override agit seul.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on. Nothing moves before its first factor.</source>
+        <translation>Elle est lue à partir du démarrage. Rien ne bouge avant son premier facteur.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on.</source>
+        <translation>Elle est lue à partir du démarrage.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avance adaptative</translation>
+    </message>
+    <message>
+        <source>A sensor or script that sends lines such as feed 0.85: 85 % of your override, until the next one. Pause and Stop always act.</source>
+        <translation>Un capteur ou un script qui envoie des lignes comme feed 0.85&#xa0;: 85&#xa0;% de votre override, jusqu’à la suivante. Pause et Arrêt agissent toujours.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>TCP on this computer</source>
+        <translation>TCP sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Hold the axes</source>
+        <translation>Retenir les axes</translation>
+    </message>
+    <message>
+        <source>Your override alone</source>
+        <translation>Votre override seul</translation>
     </message>
 </context>
 <context>
@@ -10240,6 +10371,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>The tool goes straight up; the path waits.</source>
         <translation>L’outil monte tout droit&#xa0;; la trajectoire attend.</translation>
+    </message>
+    <message>
+        <source>Continue goes on without it</source>
+        <translation>Continuer reprend sans elle</translation>
     </message>
 </context>
 <context>

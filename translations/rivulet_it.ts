@@ -2362,6 +2362,42 @@
             <numerusform>%Ln punti uniti</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Adaptive feed: %1 % of your override, from %2</source>
+        <translation>Avanzamento adattivo: %1&#xa0;% del vostro override, da %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: without %1, until its next factor</source>
+        <translation>Avanzamento adattivo: senza %1, fino al suo prossimo fattore</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the axes are held. %1: %2</source>
+        <translation>Avanzamento adattivo: gli assi sono trattenuti. %1: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: your override acts alone. %1: %2</source>
+        <translation>Avanzamento adattivo: agisce solo il vostro override. %1: %2</translation>
+    </message>
+    <message>
+        <source>no factor has come yet</source>
+        <translation>nessun fattore è ancora arrivato</translation>
+    </message>
+    <message>
+        <source>no factor has come in time</source>
+        <translation>nessun fattore è arrivato in tempo</translation>
+    </message>
+    <message>
+        <source>%1 % was not agreed</source>
+        <translation>%1&#xa0;% non era concordato</translation>
+    </message>
+    <message>
+        <source>its last line is no factor</source>
+        <translation>la sua ultima riga non è un fattore</translation>
+    </message>
+    <message>
+        <source>it has closed</source>
+        <translation>si è chiusa</translation>
+    </message>
 </context>
 <context>
     <name>MachineCard</name>
@@ -5066,6 +5102,22 @@ GPL-3.0-or-later</translation>
         <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
         <translation>Il primo movimento, fino alla riga %1, dura da solo %2: avvicinare l’utensile prima dell’avvio.</translation>
     </message>
+    <message>
+        <source>%1 multiplies your override: %2 to %3, and no more than 120 % in all.</source>
+        <translation>%1 moltiplica il vostro override: da %2 a %3, e in tutto non più del 120&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avanzamento adattivo</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 the axes are held; nothing moves before the first.</source>
+        <translation>Senza un fattore per %1 gli assi sono trattenuti; prima del primo non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Without a factor for %1 your override acts alone.</source>
+        <translation>Senza un fattore per %1 agisce solo il vostro override.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -6867,6 +6919,85 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrice</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::FactorPanel</name>
+    <message>
+        <source>Source</source>
+        <translation>Sorgente</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Porta</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Almeno</translation>
+    </message>
+    <message>
+        <source>Smallest factor of your override that may act</source>
+        <translation>Il fattore più piccolo del vostro override che può agire</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Al massimo</translation>
+    </message>
+    <message>
+        <source>Largest factor that may act; together with your override no more than 120 % of the programmed feed</source>
+        <translation>Il fattore più grande che può agire; insieme al vostro override non più del 120&#xa0;% dell’avanzamento programmato</translation>
+    </message>
+    <message>
+        <source>Silent after</source>
+        <translation>Tace dopo</translation>
+    </message>
+    <message>
+        <source>Without a factor</source>
+        <translation>Senza un fattore</translation>
+    </message>
+    <message>
+        <source>Before the first one, when the source is silent or closed, and when it sends what was not agreed</source>
+        <translation>Prima del primo, quando la sorgente tace o è chiusa, e quando invia ciò che non era concordato</translation>
+    </message>
+    <message>
+        <source>Your override acts alone.</source>
+        <translation>Agisce solo il vostro override.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on. Nothing moves before its first factor.</source>
+        <translation>Viene letta a partire dall’avvio. Prima del suo primo fattore non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>It is read from the start on.</source>
+        <translation>Viene letta a partire dall’avvio.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Avanzamento adattivo</translation>
+    </message>
+    <message>
+        <source>A sensor or script that sends lines such as feed 0.85: 85 % of your override, until the next one. Pause and Stop always act.</source>
+        <translation>Un sensore o uno script che invia righe come feed 0.85: 85&#xa0;% del vostro override, fino alla prossima. Pausa e Stop agiscono sempre.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuna</translation>
+    </message>
+    <message>
+        <source>TCP on this computer</source>
+        <translation>TCP su questo computer</translation>
+    </message>
+    <message>
+        <source>UDP on this computer</source>
+        <translation>UDP su questo computer</translation>
+    </message>
+    <message>
+        <source>Hold the axes</source>
+        <translation>Trattenere gli assi</translation>
+    </message>
+    <message>
+        <source>Your override alone</source>
+        <translation>Solo il vostro override</translation>
     </message>
 </context>
 <context>
@@ -10240,6 +10371,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The tool goes straight up; the path waits.</source>
         <translation>L’utensile sale in verticale; il percorso attende.</translation>
+    </message>
+    <message>
+        <source>Continue goes on without it</source>
+        <translation>Continua prosegue senza</translation>
     </message>
 </context>
 <context>

@@ -185,6 +185,7 @@ void MainWindow::buildPages() {
   setUpRows->setSpacing(0);
   setUpRows->addWidget(makeCorrectionPanel(&m_document, &m_runs));
   setUpRows->addWidget(makeMethodPanel(&m_document, &m_runs), 1);
+  setUpRows->addWidget(makeFactorPanel(&m_document, &m_runs));
   // Before the panel hears of it, which gives the focus to the field that is missing.
   connect(&m_logins, &Logins::changed, this, &MainWindow::showLogin);
   m_frame.columns = new widgets::FoldingColumns(

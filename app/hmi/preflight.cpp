@@ -18,6 +18,7 @@
 #include "hmi/run_controller.h"
 #include "hmi/users.h"
 #include "permission/permission.h"
+#include "run/factor_feed.h"
 #include "run/stands_within.h"
 #include "streaming/start/first_move.h"
 #include "streaming/start/start_policy.h"
@@ -227,6 +228,9 @@ std::vector<PreflightItem> Preflight::items() const {
   for (PreflightItem& item : m_document.live() ? liveItems() : programItems()) {
     items.push_back(std::move(item));
   }
+  if (const auto agreed = run::agreedFactor(m_document.runSettings())) {
+    items.push_back(factorItem(*agreed));
+  }
   items.push_back(accessItem());
   items.push_back(originItem());
   if (m_users != nullptr && m_users->isSetUp()) {
@@ -317,6 +321,25 @@ std::vector<PreflightItem> Preflight::liveItems() const {
                    {},
                    0});
   return items;
+}
+
+PreflightItem Preflight::factorItem(const live::FactorAgreement& agreed) const {
+  const QString source = QString::fromStdString(m_document.settings().factor.address);
+  const QString silence = widgets::secondsText(base::toSeconds(agreed.silence), 1);
+  const QString follows =
+      tr("%1 multiplies your override: %2 to %3, and no more than 120 % in all.")
+          .arg(source, percentText(agreed.least), percentText(agreed.most));
+  return {
+      Status::Plain,
+      tr("Adaptive feed"),
+      follows + QLatin1Char(' ') +
+          (agreed.holdsInSilence
+               ? tr("Without a factor for %1 the axes are held; nothing moves before the first.")
+                     .arg(silence)
+               : tr("Without a factor for %1 your override acts alone.").arg(silence)),
+      {},
+      0,
+      true};
 }
 
 PreflightItem Preflight::liveStartItem() const {

@@ -119,6 +119,8 @@ class Preflight final : public QObject {
   /// Of a live source.
   [[nodiscard]] std::vector<widgets::PreflightItem> liveItems() const;
   [[nodiscard]] widgets::PreflightItem liveStartItem() const;
+  /// @param agreed  with the source of factors
+  [[nodiscard]] widgets::PreflightItem factorItem(const live::FactorAgreement& agreed) const;
   [[nodiscard]] widgets::PreflightItem programItem() const;
   /// What the program leaves open, and how it is read; no text: nothing is open.
   [[nodiscard]] widgets::PreflightItem readingItem() const;

@@ -15,6 +15,7 @@
 #include "job/main_program.h"
 #include "live/setup.h"
 #include "report/run_history.h"
+#include "run/factor_feed.h"
 #include "streaming/start/first_move.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -593,6 +594,9 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     command.live = live->setup;
     m_document.beginLivePath();
   }
+  if (const auto agreed = run::agreedFactor(settings)) {
+    details.emplace_back("feed_from", settings.factor.address + ": " + live::textOf(*agreed));
+  }
   if (!m_confirmed.empty()) {
     details.emplace_back("confirmed", std::exchange(m_confirmed, {}));
   }
@@ -694,6 +698,8 @@ void RunController::startPositioning(Positioning kind, gcode::Program program, d
   command.settings = m_document.runSettings();
   command.settings.programFeeds.reset();
   command.settings.feedMmPerS = feedMmPerS;
+  command.settings.factor = {};
+  command.settings.parameters.factorLeast = command.settings.parameters.factorMost = 0.0;
   if (kind == Positioning::Back) {
     command.settings.parameters.method = base::MethodKind::Window;
     command.settings.parameters.feedPerPoint = false;

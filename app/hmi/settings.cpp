@@ -12,6 +12,8 @@
 #include "gcode/feeds.h"
 #include "hmi/users.h"
 #include "journal/line_file.h"
+#include "sources/open_source.h"
+#include "templates/feed_cell.h"
 
 namespace rivulet::hmi {
 
@@ -91,6 +93,31 @@ void saveLive(QSettings& store, const live::Setup& setup) {
   }
 }
 
+/// All or nothing, as above.
+void loadFactor(const QSettings& store, streaming::StreamSettings& stream) {
+  live::FactorSource source;
+  source.address = store.value(QStringLiteral("factor/source")).toString().toStdString();
+  const double least = positive(store.value(QStringLiteral("factor/least")), 0.0);
+  const double most = positive(store.value(QStringLiteral("factor/most")), 0.0);
+  source.silence = base::fromSeconds(
+      positive(store.value(QStringLiteral("factor/silenceS")), base::toSeconds(source.silence)));
+  source.holdsInSilence = store.value(QStringLiteral("factor/holds"), true).toBool();
+  if (sources::isPort(source.address) && templates::areFactorBounds(least, most) &&
+      base::fillsWindows(stream.parameters.method)) {
+    stream.factor = source;
+    stream.parameters.factorLeast = least;
+    stream.parameters.factorMost = most;
+  }
+}
+
+void saveFactor(QSettings& store, const streaming::StreamSettings& stream) {
+  store.setValue(QStringLiteral("factor/source"), QString::fromStdString(stream.factor.address));
+  store.setValue(QStringLiteral("factor/least"), stream.parameters.factorLeast);
+  store.setValue(QStringLiteral("factor/most"), stream.parameters.factorMost);
+  store.setValue(QStringLiteral("factor/silenceS"), base::toSeconds(stream.factor.silence));
+  store.setValue(QStringLiteral("factor/holds"), stream.factor.holdsInSilence);
+}
+
 }  // namespace
 
 void Settings::addRecentFile(const QString& path) {
@@ -143,6 +170,7 @@ Settings loadSettings() {
   }
   stream.parameters.packed = store.value(QStringLiteral("stream/packed")).toBool() &&
                              base::fillsWindows(stream.parameters.method);
+  loadFactor(store, stream);
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.programFeeds =
       store.value(QStringLiteral("stream/feed")).toString() != QLatin1String(kFixedFeed);
@@ -184,6 +212,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));
+  saveFactor(store, stream);
   saveLive(store, settings.live);
 }
 

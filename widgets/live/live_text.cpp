@@ -34,6 +34,36 @@ struct LiveTexts {
   static QString merged(std::size_t count) {
     return tr("%Ln points merged", nullptr, static_cast<int>(count));
   }
+  static QString factor(const live::FactorSeen& seen) {
+    const QString source = QString::fromStdString(seen.source);
+    if (seen.state == live::FactorState::Follows) {
+      return tr("Adaptive feed: %1 % of your override, from %2")
+          .arg(numberText(100.0 * seen.factor, 0), source);
+    }
+    if (seen.state == live::FactorState::Released) {
+      return tr("Adaptive feed: without %1, until its next factor").arg(source);
+    }
+    const QString why = withoutFactor(seen);
+    return seen.holds() ? tr("Adaptive feed: the axes are held. %1: %2").arg(source, why)
+                        : tr("Adaptive feed: your override acts alone. %1: %2").arg(source, why);
+  }
+  static QString withoutFactor(const live::FactorSeen& seen) {
+    switch (seen.state) {
+      case live::FactorState::Waiting:
+        return tr("no factor has come yet");
+      case live::FactorState::Silent:
+        return tr("no factor has come in time");
+      case live::FactorState::Refused:
+        return seen.refused ? tr("%1 % was not agreed").arg(numberText(100.0 * *seen.refused, 0))
+                            : tr("its last line is no factor");
+      case live::FactorState::Closed:
+        return tr("it has closed");
+      case live::FactorState::Follows:
+      case live::FactorState::Released:
+        break;
+    }
+    return {};
+  }
 };
 
 }  // namespace
@@ -68,6 +98,10 @@ QString linesText(const live::Summary& summary) {
   const QString lines = LiveTexts::lines(summary);
   return summary.merged == 0 ? lines
                              : lines + QStringLiteral("; ") + LiveTexts::merged(summary.merged);
+}
+
+QString factorText(const live::FactorSeen& seen) {
+  return LiveTexts::factor(seen);
 }
 
 }  // namespace rivulet::widgets

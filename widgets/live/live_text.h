@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include "live/feed_factor.h"
 #include "live/setup.h"
 #include "live/summary.h"
 
@@ -23,5 +24,8 @@ namespace rivulet::widgets {
 [[nodiscard]] QString linesText(const live::Summary& summary);
 /// "73 to 585 ms"; empty: not known.
 [[nodiscard]] QString theoryText(base::Duration least, base::Duration most);
+
+/// What becomes of a source of factors: a sentence without its full stop.
+[[nodiscard]] QString factorText(const live::FactorSeen& seen);
 
 }  // namespace rivulet::widgets

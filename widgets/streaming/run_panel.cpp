@@ -18,6 +18,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
+#include "widgets/live/live_text.h"
 #include "widgets/streaming/override_control.h"
 
 namespace rivulet::widgets {
@@ -389,6 +390,9 @@ QString RunPanel::feedSentence() const {
     return tr("The tool is lifted by %1. Lower it, then the run can go on")
         .arg(lengthText(*feed.liftedMm, 3));
   }
+  if (feed.isHeldBySource() && feed.source) {
+    return factorText(*feed.source) + QStringLiteral(". ") + tr("Continue goes on without it");
+  }
   if (feed.holds) {
     return feed.stoodAfter
                ? tr("The axes stand (%1 after the order). Continue goes on, End here ends the "
@@ -396,7 +400,9 @@ QString RunPanel::feedSentence() const {
                      .arg(secondsText(base::toSeconds(*feed.stoodAfter), 2))
                : tr("The axes are braking");
   }
-  return feed.wantedPercent == 0.0 ? tr("Override 0 %: the axes stand") : QString();
+  return feed.wantedPercent == 0.0 ? tr("Override 0 %: the axes stand")
+         : feed.source             ? factorText(*feed.source)
+                                   : QString();
 }
 
 QString RunPanel::waitingSentence() const {

@@ -113,6 +113,7 @@ void connectServices(Users* users, RunController* runs, Services* services,
 [[nodiscard]] QWidget* makeConnectionPanel(MachineModel* machine, RunController* runs,
                                            Logins* logins);
 [[nodiscard]] QWidget* makeCorrectionPanel(Document* document, RunController* runs);
+[[nodiscard]] QWidget* makeFactorPanel(Document* document, RunController* runs);
 [[nodiscard]] QWidget* makeMethodPanel(Document* document, RunController* runs);
 [[nodiscard]] QWidget* makeWrongMotionBar(Alarms* alarms, RunController* runs, QWidget* parent);
 [[nodiscard]] QWidget* makeFoundRunBar(RunController* runs, FoundRuns* found, QWidget* parent);

@@ -28,6 +28,7 @@
 #include "widgets/setup/profile_page.h"
 #include "widgets/streaming/back_dialog.h"
 #include "widgets/streaming/correction_panel.h"
+#include "widgets/streaming/factor_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/preflight_sheet.h"
@@ -38,6 +39,7 @@ namespace rivulet::hmi {
 
 using session::CorrectionFeed;
 using widgets::CorrectionPanel;
+using widgets::FactorPanel;
 using widgets::FoundRunBar;
 using widgets::MethodPanel;
 using widgets::PreflightSheet;
@@ -265,6 +267,32 @@ QWidget* makeCorrectionPanel(Document* document, RunController* runs) {
   QObject::connect(
       runs, &RunController::updated, panel,
       [panel](const streaming::LiveUpdate& update) { panel->setCorrection(update.correction); });
+  return panel;
+}
+
+QWidget* makeFactorPanel(Document* document, RunController* runs) {
+  auto* panel = new FactorPanel;
+  const auto show = [panel, document] {
+    const streaming::StreamSettings& settings = document->settings();
+    panel->setChoice(
+        {settings.factor, settings.parameters.factorLeast, settings.parameters.factorMost});
+  };
+  show();
+  QObject::connect(document, &Document::settingsChanged, panel, show);
+  QObject::connect(panel, &FactorPanel::choiceChanged, document,
+                   [document](const widgets::FactorChoice& choice) {
+                     streaming::StreamSettings settings = document->settings();
+                     settings.factor = choice.source;
+                     settings.parameters.factorLeast = choice.least;
+                     settings.parameters.factorMost = choice.most;
+                     document->setSettings(settings);
+                   });
+  QObject::connect(runs, &RunController::permissionsChanged, panel,
+                   [panel, runs] { panel->setEditable(runs->canChangeSettings()); });
+  QObject::connect(runs, &RunController::updated, panel,
+                   [panel](const streaming::LiveUpdate& update) { panel->setFeed(update.feed); });
+  QObject::connect(runs, &RunController::finished, panel,
+                   [panel] { panel->setFeed(std::nullopt); });
   return panel;
 }
 
