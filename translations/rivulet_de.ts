@@ -2562,6 +2562,42 @@
         <source>to be selected</source>
         <translation>anzuwählen</translation>
     </message>
+    <message>
+        <source>Adaptive feed: the source is followed.</source>
+        <translation>Adaptiver Vorschub: Die Quelle wird befolgt.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor has come yet: %1</source>
+        <translation>Adaptiver Vorschub: noch kein Faktor gekommen: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor for %1 s: %2</source>
+        <translation>Adaptiver Vorschub: kein Faktor seit %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the factor %1 was not agreed: %2 to %3, where 1 is 100 %: %4</source>
+        <translation>Adaptiver Vorschub: Der Faktor %1 war nicht vereinbart: %2 bis %3, wobei 1 für 100&#xa0;% steht: %4</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the line is no factor, as feed 0.85 would be: %1</source>
+        <translation>Adaptiver Vorschub: Die Zeile ist kein Faktor, wie feed 0.85 einer wäre: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the source has closed: %1</source>
+        <translation>Adaptiver Vorschub: Die Quelle ist geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the operator goes on without the source.</source>
+        <translation>Adaptiver Vorschub: Der Bediener fährt ohne die Quelle fort.</translation>
+    </message>
+    <message>
+        <source>the axes are held.</source>
+        <translation>Die Achsen werden gehalten.</translation>
+    </message>
+    <message>
+        <source>the override of the operator acts alone.</source>
+        <translation>Nur der Override des Bedieners wirkt.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -2562,6 +2562,42 @@
         <source>to be selected</source>
         <translation>por seleccionar</translation>
     </message>
+    <message>
+        <source>Adaptive feed: the source is followed.</source>
+        <translation>Avance adaptativo: se sigue a la fuente.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor has come yet: %1</source>
+        <translation>Avance adaptativo: aún no ha llegado ningún factor: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor for %1 s: %2</source>
+        <translation>Avance adaptativo: ningún factor desde hace %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the factor %1 was not agreed: %2 to %3, where 1 is 100 %: %4</source>
+        <translation>Avance adaptativo: el factor %1 no estaba acordado: de %2 a %3, donde 1 es el 100&#xa0;%: %4</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the line is no factor, as feed 0.85 would be: %1</source>
+        <translation>Avance adaptativo: la línea no es un factor, como lo sería feed 0.85: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the source has closed: %1</source>
+        <translation>Avance adaptativo: la fuente se ha cerrado: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the operator goes on without the source.</source>
+        <translation>Avance adaptativo: el operario sigue sin la fuente.</translation>
+    </message>
+    <message>
+        <source>the axes are held.</source>
+        <translation>los ejes están retenidos.</translation>
+    </message>
+    <message>
+        <source>the override of the operator acts alone.</source>
+        <translation>actúa solo el override del operario.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

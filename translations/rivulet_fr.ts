@@ -2562,6 +2562,42 @@
         <source>to be selected</source>
         <translation>à sélectionner</translation>
     </message>
+    <message>
+        <source>Adaptive feed: the source is followed.</source>
+        <translation>Avance adaptative&#xa0;: la source est suivie.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor has come yet: %1</source>
+        <translation>Avance adaptative&#xa0;: aucun facteur n’est encore arrivé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor for %1 s: %2</source>
+        <translation>Avance adaptative&#xa0;: aucun facteur depuis %1 s&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the factor %1 was not agreed: %2 to %3, where 1 is 100 %: %4</source>
+        <translation>Avance adaptative&#xa0;: le facteur %1 n’était pas convenu&#xa0;: de %2 à %3, où 1 est 100&#xa0;%&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the line is no factor, as feed 0.85 would be: %1</source>
+        <translation>Avance adaptative&#xa0;: la ligne n’est pas un facteur, comme le serait feed 0.85&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the source has closed: %1</source>
+        <translation>Avance adaptative&#xa0;: la source s’est fermée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the operator goes on without the source.</source>
+        <translation>Avance adaptative&#xa0;: l’opérateur continue sans la source.</translation>
+    </message>
+    <message>
+        <source>the axes are held.</source>
+        <translation>les axes sont retenus.</translation>
+    </message>
+    <message>
+        <source>the override of the operator acts alone.</source>
+        <translation>l’override de l’opérateur agit seul.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

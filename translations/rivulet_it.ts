@@ -2562,6 +2562,42 @@
         <source>to be selected</source>
         <translation>da selezionare</translation>
     </message>
+    <message>
+        <source>Adaptive feed: the source is followed.</source>
+        <translation>Avanzamento adattivo: la sorgente viene seguita.</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor has come yet: %1</source>
+        <translation>Avanzamento adattivo: nessun fattore è ancora arrivato: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: no factor for %1 s: %2</source>
+        <translation>Avanzamento adattivo: nessun fattore da %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the factor %1 was not agreed: %2 to %3, where 1 is 100 %: %4</source>
+        <translation>Avanzamento adattivo: il fattore %1 non era concordato: da %2 a %3, dove 1 è il 100&#xa0;%: %4</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the line is no factor, as feed 0.85 would be: %1</source>
+        <translation>Avanzamento adattivo: la riga non è un fattore, come lo sarebbe feed 0.85: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the source has closed: %1</source>
+        <translation>Avanzamento adattivo: la sorgente si è chiusa: %1</translation>
+    </message>
+    <message>
+        <source>Adaptive feed: the operator goes on without the source.</source>
+        <translation>Avanzamento adattivo: l’operatore prosegue senza la sorgente.</translation>
+    </message>
+    <message>
+        <source>the axes are held.</source>
+        <translation>gli assi sono trattenuti.</translation>
+    </message>
+    <message>
+        <source>the override of the operator acts alone.</source>
+        <translation>agisce solo l’override dell’operatore.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -100,6 +100,9 @@ RunController::RunController(StreamSession& session, Document& document, Machine
         note.text == streaming::kContinueNote) {
       return;  // said when the button was pressed, in the operator's language
     }
+    if (note.text.starts_with(streaming::kFactorNote)) {
+      return;  // shown as it changes
+    }
     m_messages.log(Severity::Note, Source::Run,
                    [text = QString::fromStdString(note.text)] { return widgets::noteText(text); });
   });

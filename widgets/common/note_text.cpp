@@ -20,7 +20,7 @@ struct NotePattern {
   const char* said;
 };
 
-constexpr std::array<NotePattern, 17> kNotes{{
+constexpr std::array<NotePattern, 24> kNotes{{
     {"access form: %1", QT_TRANSLATE_NOOP("NoteTexts", "Form of access: %1.")},
     {"program %1: %2, %3, %4", QT_TRANSLATE_NOOP("NoteTexts", "Program %1: %2, %3, %4.")},
     {"network: nothing has come from the control for %1 s",
@@ -64,16 +64,36 @@ constexpr std::array<NotePattern, 17> kNotes{{
                        "The trace of the control is incomplete: the run is not judged.")},
     {"the name of the run could not be stored: %1",
      QT_TRANSLATE_NOOP("NoteTexts", "The name of the run could not be stored: %1")},
+    {"feed source: it is followed",
+     QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: the source is followed.")},
+    {"feed source: No factor has come yet: %1",
+     QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: no factor has come yet: %1")},
+    {"feed source: No factor for %1 s: %2",
+     QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: no factor for %1 s: %2")},
+    {"feed source: The factor %1 was not agreed: %2 to %3, where 1 is 100 %: %4",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "Adaptive feed: the factor %1 was not agreed: %2 to %3, where "
+                       "1 is 100 %: %4")},
+    {"feed source: The line is no factor of the feed, as feed 0.85 would be: %1",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "Adaptive feed: the line is no factor, as feed 0.85 would be: %1")},
+    {"feed source: The source has closed: %1",
+     QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: the source has closed: %1")},
+    {"feed source: The operator goes on without the source.",
+     QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: the operator goes on without the source.")},
 }};
 
 /// Words that stand in the place of a variable part.
-constexpr std::array<NotePattern, 6> kWords{{
+constexpr std::array<NotePattern, 8> kWords{{
     {"written", QT_TRANSLATE_NOOP("NoteTexts", "written")},
     {"already there", QT_TRANSLATE_NOOP("NoteTexts", "already there")},
     {"compared", QT_TRANSLATE_NOOP("NoteTexts", "compared")},
     {"not compared", QT_TRANSLATE_NOOP("NoteTexts", "not compared")},
     {"selected", QT_TRANSLATE_NOOP("NoteTexts", "selected")},
     {"to be selected", QT_TRANSLATE_NOOP("NoteTexts", "to be selected")},
+    {"the axes are held.", QT_TRANSLATE_NOOP("NoteTexts", "the axes are held.")},
+    {"the override of the operator acts alone.",
+     QT_TRANSLATE_NOOP("NoteTexts", "the override of the operator acts alone.")},
 }};
 
 QRegularExpression expressionOf(const char* written) {

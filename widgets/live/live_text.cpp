@@ -100,7 +100,7 @@ QString linesText(const live::Summary& summary) {
                              : lines + QStringLiteral("; ") + LiveTexts::merged(summary.merged);
 }
 
-QString factorText(const live::FactorSeen& seen) {
+QString feedSourceText(const live::FactorSeen& seen) {
   return LiveTexts::factor(seen);
 }
 

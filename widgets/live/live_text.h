@@ -26,6 +26,6 @@ namespace rivulet::widgets {
 [[nodiscard]] QString theoryText(base::Duration least, base::Duration most);
 
 /// What becomes of a source of factors: a sentence without its full stop.
-[[nodiscard]] QString factorText(const live::FactorSeen& seen);
+[[nodiscard]] QString feedSourceText(const live::FactorSeen& seen);
 
 }  // namespace rivulet::widgets

@@ -17,26 +17,26 @@ namespace rivulet::widgets {
 
 namespace {
 
-constexpr double kPercent = 100.0;
-constexpr live::FactorAgreement kUsual;
-constexpr int kUsualPort = 4002;
-constexpr int kHold = 0;  ///< place in the list of what acts without a factor
+constexpr double kWholePercent = 100.0;
+constexpr live::FactorAgreement kUsualFactor;
+constexpr int kFactorPort = 4002;
+constexpr int kHoldAxes = 0;  ///< place in the list of what acts without a factor
 /// In the order of the list; the first is no source.
-constexpr std::array<const char*, 3> kKinds{"", "tcp:", "udp:"};
+constexpr std::array<const char*, 3> kSourceKinds{"", "tcp:", "udp:"};
 
 }  // namespace
 
 FactorPanel::FactorPanel(QWidget* parent)
     : Page(parent),
       m_port(whole(1024, 65535, {.id = "factor-port"})),
-      m_least(number({.min = kPercent * templates::kFactorMin,
-                      .max = kPercent,
+      m_least(number({.min = kWholePercent * templates::kFactorMin,
+                      .max = kWholePercent,
                       .decimals = 0,
                       .step = 5.0,
                       .unit = "%"},
                      {.id = "factor-least"})),
-      m_most(number({.min = kPercent,
-                     .max = kPercent * templates::kFactorMax,
+      m_most(number({.min = kWholePercent,
+                     .max = kWholePercent * templates::kFactorMax,
                      .decimals = 0,
                      .step = 5.0,
                      .unit = "%"},
@@ -60,10 +60,10 @@ FactorPanel::FactorPanel(QWidget* parent)
                .tip = QT_TR_NOOP("Before the first one, when the source is silent or closed, and "
                                  "when it sends what was not agreed")},
               m_without);
-  m_port->setValue(kUsualPort);
-  m_least->setValue(kPercent * kUsual.least);
-  m_most->setValue(kPercent * kUsual.most);
-  m_silence->setValue(base::toSeconds(kUsual.silence));
+  m_port->setValue(kFactorPort);
+  m_least->setValue(kWholePercent * kUsualFactor.least);
+  m_most->setValue(kWholePercent * kUsualFactor.most);
+  m_silence->setValue(base::toSeconds(kUsualFactor.silence));
   inColumn({m_form, m_status}, m_group);
   inColumn({m_group}, this);
   onEdit({m_source, m_port, m_least, m_most, m_silence, m_without}, &FactorPanel::takeChoice);
@@ -95,12 +95,13 @@ void FactorPanel::takeChoice() {
   const auto kind = static_cast<std::size_t>(m_source->currentIndex());
   FactorChoice choice;
   if (kind > 0) {
-    choice.source.address = kind < kKinds.size() ? kKinds[kind] + std::to_string(m_port->value())
-                                                 : m_source->currentText().toStdString();
-    choice.least = m_least->value() / kPercent;
-    choice.most = m_most->value() / kPercent;
+    choice.source.address = kind < kSourceKinds.size()
+                                ? kSourceKinds[kind] + std::to_string(m_port->value())
+                                : m_source->currentText().toStdString();
+    choice.least = m_least->value() / kWholePercent;
+    choice.most = m_most->value() / kWholePercent;
     choice.source.silence = base::fromSeconds(m_silence->value());
-    choice.source.holdsInSilence = m_without->currentIndex() == kHold;
+    choice.source.holdsInSilence = m_without->currentIndex() == kHoldAxes;
   }
   if (choice != m_choice) {
     m_choice = choice;
@@ -112,16 +113,16 @@ void FactorPanel::takeChoice() {
 void FactorPanel::showAll() {
   const bool wasShowing = std::exchange(m_isShowing, true);
   const QString address = QString::fromStdString(m_choice.source.address);
-  int kind = address.isEmpty() ? 0 : static_cast<int>(kKinds.size());
-  for (int i = 1; i < static_cast<int>(kKinds.size()); ++i) {
-    const QString begin = QLatin1String(kKinds[static_cast<std::size_t>(i)]);
+  int kind = address.isEmpty() ? 0 : static_cast<int>(kSourceKinds.size());
+  for (int i = 1; i < static_cast<int>(kSourceKinds.size()); ++i) {
+    const QString begin = QLatin1String(kSourceKinds[static_cast<std::size_t>(i)]);
     if (address.startsWith(begin)) {
       kind = i;
       m_port->setValue(address.mid(begin.size()).toInt());
     }
   }
   // A run of the command line may have another one.
-  while (m_source->count() > static_cast<int>(kKinds.size())) {
+  while (m_source->count() > static_cast<int>(kSourceKinds.size())) {
     m_source->removeItem(m_source->count() - 1);
   }
   if (kind == m_source->count()) {
@@ -130,15 +131,15 @@ void FactorPanel::showAll() {
   m_source->setCurrentIndex(kind);
   const bool isChosen = kind > 0;
   if (isChosen) {
-    m_least->setValue(kPercent * m_choice.least);
-    m_most->setValue(kPercent * m_choice.most);
+    m_least->setValue(kWholePercent * m_choice.least);
+    m_most->setValue(kWholePercent * m_choice.most);
     m_silence->setValue(base::toSeconds(m_choice.source.silence));
-    m_without->setCurrentIndex(m_choice.source.holdsInSilence ? kHold : kHold + 1);
+    m_without->setCurrentIndex(m_choice.source.holdsInSilence ? kHoldAxes : kHoldAxes + 1);
   }
   for (QWidget* field :
        std::initializer_list<QWidget*>{m_port, m_least, m_most, m_silence, m_without}) {
-    m_form->setRowVisible(field,
-                          isChosen && (field != m_port || kind < static_cast<int>(kKinds.size())));
+    m_form->setRowVisible(
+        field, isChosen && (field != m_port || kind < static_cast<int>(kSourceKinds.size())));
     field->setEnabled(m_editable);
   }
   m_source->setEnabled(m_editable);
@@ -149,7 +150,7 @@ void FactorPanel::showAll() {
 void FactorPanel::showStatus() {
   if (m_seen) {
     m_status->setStatus(m_seen->why.empty() ? Status::Good : Status::Attention,
-                        factorText(*m_seen));
+                        feedSourceText(*m_seen));
   } else if (m_choice.source.address.empty()) {
     m_status->setStatus(Status::Unknown, tr("Your override acts alone."));
   } else {

@@ -391,7 +391,7 @@ QString RunPanel::feedSentence() const {
         .arg(lengthText(*feed.liftedMm, 3));
   }
   if (feed.isHeldBySource() && feed.source) {
-    return factorText(*feed.source) + QStringLiteral(". ") + tr("Continue goes on without it");
+    return feedSourceText(*feed.source) + QStringLiteral(". ") + tr("Continue goes on without it");
   }
   if (feed.holds) {
     return feed.stoodAfter
@@ -401,7 +401,7 @@ QString RunPanel::feedSentence() const {
                : tr("The axes are braking");
   }
   return feed.wantedPercent == 0.0 ? tr("Override 0 %: the axes stand")
-         : feed.source             ? factorText(*feed.source)
+         : feed.source             ? feedSourceText(*feed.source)
                                    : QString();
 }
 

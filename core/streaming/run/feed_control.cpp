@@ -209,7 +209,7 @@ void FeedControl::beginFactor(Instant now) {
   }
   if (m_seen.holds != didHold || now >= m_factor.noteNext) {
     m_factor.noteNext = now + kFactorNoteInterval;
-    note(now, fmt::format("feed source: factor {:g}", m_seen.factor));
+    note(now, fmt::format("{}{:g}", kFactorNote, m_seen.factor));
   }
 }
 

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/axes.h"
@@ -25,6 +26,9 @@
 #include "trace/recording.h"
 
 namespace rivulet::streaming {
+
+/// Before a factor in a note: the recording has them, a person is not told each.
+inline constexpr std::string_view kFactorNote = "feed source: factor ";
 
 class FeedControl {
  public:

@@ -11,6 +11,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "support/test_program.h"
+#include "widgets/common/note_text.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/factor_panel.h"
@@ -147,6 +148,39 @@ class TestFactorPanel : public QObject {
     language.english();
     panel.setFeed(std::nullopt);
     QCOMPARE(statusOf(panel), before);
+  }
+
+  /// What core writes of a source, in the list of messages.
+  void itsSentencesAreTranslated() {
+    test::Language language;
+    for (const bool holds : {true, false}) {
+      live::FeedFactor factor("udp:5005", {0.2, 1.2, 1s, holds});
+      base::Instant now{1h};
+      std::vector<std::string> sentences{"it is followed", factor.seen(now).why};
+      const auto add = [&] { sentences.push_back(factor.seen(now).why); };
+      factor.take(250.0, now);
+      add();
+      factor.take(1.0, now);
+      now += 2s;
+      add();
+      factor.refuse("The line is no factor of the feed, as feed 0.85 would be", now);
+      add();
+      factor.close(now);
+      add();
+      factor.release(now);
+      add();
+      for (const std::string& sentence : sentences) {
+        const QString note = QString::fromStdString("feed source: " + sentence);
+        QVERIFY2(noteText(note).startsWith(QStringLiteral("Adaptive feed: ")), qPrintable(note));
+        language.german();
+        const QString german = noteText(note);
+        language.english();
+        QVERIFY2(german.startsWith(QStringLiteral("Adaptiver Vorschub: ")), qPrintable(german));
+        QVERIFY2(
+            !german.contains(QStringLiteral("held")) && !german.contains(QStringLiteral("alone")),
+            qPrintable(german));
+      }
+    }
   }
 
   void everyTextFits() {
