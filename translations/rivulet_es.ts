@@ -8402,6 +8402,18 @@ GPL-3.0-or-later</translation>
         <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
         <translation>Mientras los ejes están detenidos, la herramienta puede elevarse esta distancia. El control no debe sumar las superposiciones (MD36750 bit 0), y su límite (SD43350) no debe ser menor. No con una corrección ni en un trabajo completo; en un control real solo después de su prueba de parada con elevación.</translation>
     </message>
+    <message>
+        <source>packed: one R-parameter each</source>
+        <translation>compactos: un parámetro R cada uno</translation>
+    </message>
+    <message>
+        <source>All axes of a point share one R-parameter, in steps of 0.001 mm from the first point of its window: a third of the accesses, so faster where the points are dense. A control that calculates otherwise refuses the first window; nothing moves then.</source>
+        <translation>Todos los ejes de un punto comparten un parámetro R, en pasos de 0,001 mm desde el primer punto de su ventana: un tercio de los accesos, y por eso más rápido donde los puntos son densos. Un control que calcula de otra forma rechaza la primera ventana; entonces no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NetCanvas</name>

@@ -2062,11 +2062,11 @@
     </message>
     <message>
         <source>; the tool may be lifted by %1</source>
-        <translation> ; l’outil peut être relevé de %1</translation>
+        <translation>&#xa0;; l’outil peut être relevé de %1</translation>
     </message>
     <message>
         <source>4. The override is changed while the axis moves; held, the tool goes up and comes back, twice. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
-        <translation>4. L’override est modifié pendant que l’axe se déplace ; retenu, l’outil se relève et revient, deux fois. Appuyez ensuite encore une fois sur Départ cycle : le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
+        <translation>4. L’override est modifié pendant que l’axe se déplace&#xa0;; retenu, l’outil se relève et revient, deux fois. Appuyez ensuite encore une fois sur Départ cycle&#xa0;: le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
     </message>
     <message>
         <source>The control allows the overlay of Z that the lift needs.</source>
@@ -6193,7 +6193,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is not lifted. A run may lift the tool only after that. Not with Z as the axis.</source>
-        <translation>Pendant que l’axe est retenu, l’outil est relevé d’autant selon Z et revient ; 0 : il n’est pas relevé. Une exécution ne peut relever l’outil qu’après cela. Pas avec Z comme axe.</translation>
+        <translation>Pendant que l’axe est retenu, l’outil est relevé d’autant selon Z et revient&#xa0;; 0&#xa0;: il n’est pas relevé. Une exécution ne peut relever l’outil qu’après cela. Pas avec Z comme axe.</translation>
     </message>
     <message>
         <source>lift, mm</source>
@@ -8400,7 +8400,19 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
-        <translation>Tant que les axes sont retenus, l’outil peut être relevé d’autant. La commande ne doit pas additionner les superpositions (MD36750 bit 0), et sa limite (SD43350) ne doit pas être plus petite. Pas avec une correction ni dans un travail entier ; sur une vraie commande seulement après son essai d’arrêt avec relevage.</translation>
+        <translation>Tant que les axes sont retenus, l’outil peut être relevé d’autant. La commande ne doit pas additionner les superpositions (MD36750 bit 0), et sa limite (SD43350) ne doit pas être plus petite. Pas avec une correction ni dans un travail entier&#xa0;; sur une vraie commande seulement après son essai d’arrêt avec relevage.</translation>
+    </message>
+    <message>
+        <source>packed: one R-parameter each</source>
+        <translation>groupés : un paramètre R chacun</translation>
+    </message>
+    <message>
+        <source>All axes of a point share one R-parameter, in steps of 0.001 mm from the first point of its window: a third of the accesses, so faster where the points are dense. A control that calculates otherwise refuses the first window; nothing moves then.</source>
+        <translation>Tous les axes d’un point partagent un paramètre R, par pas de 0,001 mm à partir du premier point de sa fenêtre : un tiers des accès, donc plus rapide là où les points sont denses. Une commande qui calcule autrement refuse la première fenêtre ; rien ne bouge alors.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
     </message>
 </context>
 <context>
