@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 
 namespace rivulet::base {
@@ -28,13 +29,13 @@ Result<FileBytes> FileBytes::open(const std::filesystem::path& path) {
   const bool isFolder = std::filesystem::is_directory(path, error);
   FileBytes source;
   source.m_path = path;
-  source.m_file.reset(isFolder ? nullptr : std::fopen(path.c_str(), "rb"));
+  source.m_file.reset(isFolder ? nullptr : openStream(path));
   if (!source.m_file) {
     return cannotBeRead(path, isFolder ? EISDIR : errno);
   }
   source.m_size = std::filesystem::file_size(path, error);
   if (error) {
-    return cannotBeRead(path, error.value());
+    return cannotBeRead(path, error.default_error_condition().value());
   }
   return source;
 }
@@ -44,7 +45,7 @@ Result<std::string> FileBytes::read(std::uint64_t at, std::uint64_t bytes) {
     return std::string();
   }
   std::string out(static_cast<std::size_t>(std::min(bytes, m_size - at)), '\0');
-  if (std::fseek(m_file.get(), static_cast<long>(at), SEEK_SET) != 0) {
+  if (!readFrom(m_file.get(), at)) {
     return cannotBeRead(m_path, errno);
   }
   out.resize(std::fread(out.data(), 1, out.size(), m_file.get()));

@@ -4,7 +4,7 @@
 /// @file
 /// A lock that programs share through a file: window, command line and service of one user keep
 /// what they know in the same files. It ends with the object, and with the program, however that
-/// ends. Only on systems with POSIX files.
+/// ends.
 /// @threadsafety owns a file descriptor; shares nothing. Two objects of one program exclude each
 /// other as two programs do.
 #pragma once

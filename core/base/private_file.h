@@ -24,4 +24,8 @@ inline constexpr int kPrivateFileMode = 0600;
 [[nodiscard]] Result<void> writePrivateFile(const std::filesystem::path& path,
                                             std::string_view text);
 
+/// Nobody but the owner may read the file; so too if there is none. On Windows, where the rights of
+/// a file are those of its folder, this is taken for granted.
+[[nodiscard]] bool isForOwnerAlone(const std::filesystem::path& path);
+
 }  // namespace rivulet::base

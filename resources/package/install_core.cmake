@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Rivulet)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rivulet
-  COMPONENT development FILES_MATCHING PATTERN "*.h")
+  COMPONENT development FILES_MATCHING PATTERN "*.h" PATTERN "*_windows.h" EXCLUDE)
 install(EXPORT RivuletTargets NAMESPACE rivulet:: DESTINATION ${package_folder}
   COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/RivuletConfig.cmake.in
