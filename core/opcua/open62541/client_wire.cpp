@@ -3,16 +3,13 @@
 
 #include "opcua/open62541/client_wire.h"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <utility>
 
 #include "opcua/open62541/handle.h"
+#include "opcua/open62541/sending_limit.h"
 #include "opcua/open62541/tcp_manager.h"
 
 namespace rivulet::opcua {
@@ -117,8 +114,7 @@ UA_StatusCode ClientWire::onSend(UA_ConnectionManager* manager, std::uintptr_t c
                                  const UA_KeyValueMap* parameters,
                                  UA_ByteString* message) noexcept {
   const auto& self = *static_cast<const ClientWire*>(ownerOf(*manager));
-  setsockopt(static_cast<int>(connection), IPPROTO_TCP, TCP_USER_TIMEOUT, &self.m_sendingMaxMs,
-             sizeof self.m_sendingMaxMs);
+  endWhenUnconfirmed(connection, self.m_sendingMaxMs);
   return self.m_send(manager, connection, parameters, message);
 }
 

@@ -3,7 +3,6 @@
 
 #include "opcua/open62541/encryption.h"
 
-#include <link.h>
 #include <open62541/plugin/create_certificate.h>
 #include <open62541/types.h>
 #include <open62541/util.h>
@@ -22,9 +21,6 @@ namespace {
 using Bytes = Handle<UA_ByteString, UA_TYPES_BYTESTRING>;
 
 constexpr UA_UInt16 kKeyBits = 2048;
-
-/// Names of the libraries that Debian's packages of open62541 have been built with.
-constexpr std::array<std::string_view, 2> kLibraries{"libmbedcrypto", "libcrypto"};
 
 }  // namespace
 
@@ -64,24 +60,6 @@ base::Result<OwnCertificate> makeCertificate(const CertificateRequest& request) 
   }
   return OwnCertificate{std::string(view(*certificate.get())), std::string(view(*key.get())),
                         request.applicationUri};
-}
-
-std::string encryptionLibrary() {
-  std::string found;
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* result) {
-        const std::string_view path = info->dlpi_name;
-        const std::string_view file = path.substr(path.rfind('/') + 1);
-        for (const std::string_view library : kLibraries) {
-          if (file.substr(0, library.size()) == library) {
-            *static_cast<std::string*>(result) = path;
-            return 1;
-          }
-        }
-        return 0;
-      },
-      &found);
-  return found;
 }
 
 }  // namespace rivulet::opcua
