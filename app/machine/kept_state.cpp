@@ -3,15 +3,14 @@
 
 #include "machine/kept_state.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/units.h"
@@ -24,7 +23,6 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x31204554'41545352ULL;
 constexpr std::size_t kPositions = base::kAxisCount + base::kRotaryAxisCount;
-constexpr int kMode = 0644;
 
 struct SlotHead {
   std::uint64_t magic = kMagic;
@@ -41,10 +39,6 @@ std::uint64_t hashOfSlot(const SlotHead& head, const std::vector<double>& values
 
 std::size_t slotBytes(std::size_t values) {
   return sizeof(SlotHead) + values * sizeof(double);
-}
-
-bool writeAt(int file, const void* bytes, std::size_t count, std::size_t at) {
-  return pwrite(file, bytes, count, static_cast<off_t>(at)) == static_cast<ssize_t>(count);
 }
 
 base::Error unusable(const fs::path& folder, const std::string& why) {
@@ -65,8 +59,7 @@ base::Result<KeptState> KeptState::open(const fs::path& folder, MachineConfig& c
     return base::fail(
         unusable(folder, "Another rivulet-machine uses this folder. Choose another one."));
   }
-  const int executed =
-      file ? ::open((folder / "executed.txt").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode) : -1;
+  const int executed = file ? base::openToWrite(folder / "executed.txt") : -1;
   if (executed < 0) {
     return base::fail(unusable(folder,
                                "The folder for the state of the machine cannot be written. "
@@ -80,7 +73,7 @@ base::Result<KeptState> KeptState::open(const fs::path& folder, MachineConfig& c
                                "The state in this folder is damaged, or of a machine with another "
                                "number of R-parameters. Choose another folder, or delete it."));
   }
-  if (ftruncate(executed, static_cast<off_t>(state.m_executedBytes)) != 0) {
+  if (!base::cutTo(executed, state.m_executedBytes)) {
     return base::fail(unusable(folder, "The folder for the state cannot be written."));
   }
   if (state.m_number > 0) {
@@ -110,7 +103,7 @@ KeptState::KeptState(KeptState&& other) noexcept
 
 KeptState::~KeptState() {
   if (m_executed >= 0) {
-    close(m_executed);
+    base::closeFile(m_executed);
   }
 }
 
@@ -118,9 +111,8 @@ bool KeptState::load() {
   const std::size_t bytes = slotBytes(m_values.size());
   std::vector<double> values(m_values.size());
   for (std::size_t slot = 0; slot < 2; ++slot) {
-    std::string text(bytes, '\0');
-    const auto at = static_cast<off_t>(slot * bytes);
-    if (pread(m_file.descriptor(), text.data(), bytes, at) != static_cast<ssize_t>(bytes)) {
+    const std::string text = base::readAt(m_file.descriptor(), slot * bytes, bytes);
+    if (text.size() != bytes) {
       continue;
     }
     SlotHead head;
@@ -163,7 +155,7 @@ void KeptState::keepBlocks(const Machine& machine) {
                         block.targetDeg[2], block.lengthMm, block.turnDeg);
     m_lastFrom = block.from;
   }
-  if (!text.empty() && writeAt(m_executed, text.data(), text.size(), m_executedBytes)) {
+  if (!text.empty() && base::writeAt(m_executed, text, m_executedBytes) == 0) {
     m_executedBytes += text.size();
   }
 }
@@ -215,7 +207,7 @@ base::Result<void> KeptState::keep(const Machine& machine) {
   std::string slot(slotBytes(m_values.size()), '\0');
   std::memcpy(slot.data(), &head, sizeof head);
   std::memcpy(slot.data() + sizeof head, m_values.data(), m_values.size() * sizeof(double));
-  if (!writeAt(m_file.descriptor(), slot.data(), slot.size(), (m_number % 2) * slot.size())) {
+  if (base::writeAt(m_file.descriptor(), slot, (m_number % 2) * slot.size()) != 0) {
     return base::fail(unusable(m_folder, "The state of the machine cannot be written."));
   }
   return {};

@@ -4,7 +4,6 @@
 #include "service/machine_lock.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +11,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "platform/process.h"
 #include "report/run_store.h"
 
 namespace rivulet::service {
@@ -59,8 +59,8 @@ base::Result<MachineLock> MachineLock::take(const std::filesystem::path& folder,
   }
   // Only for the sentence of the next one.
   const int descriptor = (*lock)->descriptor();
-  static_cast<void>(ftruncate(descriptor, 0) == 0 &&
-                    base::writeWhole(descriptor, std::to_string(getpid())) == 0);
+  static_cast<void>(base::cutTo(descriptor, 0) &&
+                    base::writeWhole(descriptor, std::to_string(platform::processId())) == 0);
   return MachineLock(std::move(**lock));
 }
 

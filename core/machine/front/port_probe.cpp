@@ -4,71 +4,34 @@
 #include "machine/front/port_probe.h"
 
 #include <fmt/format.h>
-#include <netdb.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <memory>
-
+#include "machine/front/listen_once.h"
 #include "machine/front/server.h"
 
 namespace rivulet::machine {
 
-namespace {
-
-/// Listens for a moment. @return errno, 0 if it worked
-[[nodiscard]] int tryToListen(const addrinfo& address) {
-  const int descriptor = socket(address.ai_family, address.ai_socktype, address.ai_protocol);
-  if (descriptor < 0) {
-    return errno;
-  }
-  int on = 1;
-  setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  const bool works =
-      bind(descriptor, address.ai_addr, address.ai_addrlen) == 0 && listen(descriptor, 1) == 0;
-  const int error = works ? 0 : errno;
-  close(descriptor);
-  return error;
-}
-
-}  // namespace
-
 base::Result<void> probePort(const std::string& host, std::uint16_t port) {
-  addrinfo hints{};
-  hints.ai_family = AF_UNSPEC;
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE;
-  addrinfo* found = nullptr;
-  const int unresolved = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (unresolved != 0) {
-    return base::fail(
-        FrontError::AddressUnusable,
-        fmt::format("This address cannot be used to listen on ({}).", gai_strerror(unresolved)),
-        host);
-  }
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses(found, &freeaddrinfo);
-  int error = EADDRNOTAVAIL;
-  for (const addrinfo* address = addresses.get(); address != nullptr; address = address->ai_next) {
-    const int result = tryToListen(*address);
-    if (result == EADDRINUSE) {
+  const ListenAttempt attempt = listenOnce(host, port);
+  switch (attempt.outcome) {
+    case ListenAttempt::Outcome::Works:
+      return {};
+    case ListenAttempt::Outcome::Unresolved:
+      return base::fail(FrontError::AddressUnusable,
+                        fmt::format("This address cannot be used to listen on ({}).", attempt.why),
+                        host);
+    case ListenAttempt::Outcome::PortTaken:
       return base::fail(
           FrontError::PortTaken,
           fmt::format(
               "Port {} is used by another program: stop that program or choose another port.",
               port),
           host);
-    }
-    error = result == 0 ? 0 : (error == 0 ? 0 : result);
+    case ListenAttempt::Outcome::Refused:
+      break;
   }
-  if (error != 0) {
-    return base::fail(
-        FrontError::AddressUnusable,
-        fmt::format("Cannot listen on port {} of this address ({}).", port, std::strerror(error)),
-        host);
-  }
-  return {};
+  return base::fail(
+      FrontError::AddressUnusable,
+      fmt::format("Cannot listen on port {} of this address ({}).", port, attempt.why), host);
 }
 
 }  // namespace rivulet::machine
