@@ -3,6 +3,7 @@
 
 #include "cli/calibration_choice.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <ctime>
@@ -93,12 +94,7 @@ nlohmann::ordered_json accessSourceJson(const CalibrationChoice& choice, opcua::
 }
 
 std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 }  // namespace rivulet::cli

@@ -4,7 +4,6 @@
 #include "cli/connection.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <optional>
@@ -17,6 +16,7 @@
 
 #ifdef RIVULET_WITH_OPEN62541
 #include "platform/log.h"
+#include "platform/terminal.h"
 #include "qtopcua/open_link.h"
 #include "trust/connect.h"
 #include "trust/password.h"
@@ -79,7 +79,7 @@ base::Result<std::string> passwordOnce(const ConnectionOptions& options) {
 }
 
 bool isAccepted(const opcua::CertificateFacts& facts) {
-  if (!isTerminal() || isatty(STDIN_FILENO) == 0) {
+  if (!isTerminal() || !platform::isInputTerminal()) {
     return false;
   }
   fmt::print(stderr,

@@ -48,11 +48,11 @@ Exit exitForRun(const base::Error& error) {
   return isAnothers || exit == Exit::Connection ? exit : Exit::Wrong;
 }
 
-void startLog(const std::string& level, int argc, const char* const* argv) {
+void startLog(const std::string& level, const std::vector<std::string>& words) {
   if (const auto done = log::setUp({"rivulet-cli", level, log::recordingsFolder()}); !done) {
     log::logger().info(done.error().text());
   }
-  log::logger().info("{}", fmt::join(argv, argv + argc, " "));
+  log::logger().info("{}", fmt::join(words, " "));
 }
 
 Exit reportError(const base::Error& error, bool asJson) {

@@ -28,7 +28,7 @@ void setMemoryBudget(const base::Budget& budget);
 void printJson(const nlohmann::ordered_json& json);
 
 /// Sets up the log and writes the command line into it.
-void startLog(const std::string& level, int argc, const char* const* argv);
+void startLog(const std::string& level, const std::vector<std::string>& words);
 
 /// Prints the error on standard error, or as {"error": …} with `asJson`.
 /// @return the exit code that belongs to the error

@@ -3,16 +3,15 @@
 
 #include "cli/correction_source.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/file.h"
+#include "platform/input.h"
 #include "platform/log.h"
 
 namespace rivulet::cli {
@@ -26,10 +25,9 @@ constexpr int kReadsMax = 16;
 
 base::Result<CorrectionSource> CorrectionSource::open(const std::string& path) {
   if (path == "-") {
-    return CorrectionSource("standard input", STDIN_FILENO, false);
+    return CorrectionSource("standard input", platform::kStandardInput, false);
   }
-  // A pipe without a writer is opened at once.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  const int descriptor = base::openToRead(path);
   if (descriptor < 0) {
     return base::fail(base::FileError::Unreadable,
                       "The source of corrections cannot be opened. Check the path and its "
@@ -49,24 +47,18 @@ CorrectionSource::CorrectionSource(CorrectionSource&& other) noexcept
 
 CorrectionSource::~CorrectionSource() {
   if (m_isOwn && m_descriptor >= 0) {
-    ::close(m_descriptor);
+    base::closeFile(m_descriptor);
   }
 }
 
 base::Vec3 CorrectionSource::valueMm() {
   std::array<char, 4096> bytes;
   for (int i = 0; i < kReadsMax; ++i) {
-    // Standard input may be shared with other programs: it is polled, not switched to non-blocking
-    // mode.
-    pollfd asked{m_descriptor, POLLIN, 0};
-    if (::poll(&asked, 1, 0) <= 0 || (asked.revents & (POLLIN | POLLHUP)) == 0) {
-      break;
-    }
-    const ssize_t count = ::read(m_descriptor, bytes.data(), bytes.size());
-    if (count <= 0) {
+    const platform::Input read = platform::readNow(m_descriptor, bytes);
+    if (read.bytes == 0) {
       break;  // nothing now; a file or a pipe may have more later
     }
-    m_lines.add({bytes.data(), static_cast<std::size_t>(count)});
+    m_lines.add({bytes.data(), read.bytes});
   }
   if (!m_hasTold && m_lines.firstUnknown() > 0) {
     m_hasTold = true;

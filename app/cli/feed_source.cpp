@@ -3,20 +3,19 @@
 
 #include "cli/feed_source.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "cli/status_line.h"
 #include "permission/permission.h"
+#include "platform/input.h"
 #include "platform/log.h"
 
 namespace rivulet::cli {
@@ -49,22 +48,18 @@ base::Result<FeedSource> FeedSource::open(const OrderOptions& options, bool isIn
 
 base::Result<FeedSource> FeedSource::openSource(const std::string& path, bool isInputTaken) {
   if (path == "-") {
-    return FeedSource(STDIN_FILENO, false, false);
+    return FeedSource(platform::kStandardInput, false, false);
   }
   if (path.empty()) {
-    const bool hasKeys = !isInputTaken && ::isatty(STDIN_FILENO) != 0;
-    FeedSource source(hasKeys ? STDIN_FILENO : -1, false, hasKeys);
-    termios raw{};
-    if (hasKeys && source.mayRead() && ::tcgetattr(STDIN_FILENO, &raw) == 0) {
-      source.m_before = raw;
-      raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-      ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+    const bool hasKeys = !isInputTaken && platform::isInputTerminal();
+    FeedSource source(hasKeys ? platform::kStandardInput : -1, false, hasKeys);
+    source.m_keys = hasKeys ? platform::SingleKeys::take() : nullptr;
+    if (source.m_keys) {
       fmt::print(stderr, "Keys: h hold, c continue, + and - override.\n");
     }
     return source;
   }
-  // A pipe without a writer is opened at once.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  const int descriptor = base::openToRead(path);
   if (descriptor < 0) {
     return base::fail(base::FileError::Unreadable,
                       "The source of orders cannot be opened. Check the path and its permissions.",
@@ -77,7 +72,7 @@ FeedSource::FeedSource(FeedSource&& other) noexcept
     : m_descriptor(std::exchange(other.m_descriptor, -1)),
       m_isOwn(other.m_isOwn),
       m_hasKeys(other.m_hasKeys),
-      m_before(std::exchange(other.m_before, std::nullopt)),
+      m_keys(std::move(other.m_keys)),
       m_line(std::move(other.m_line)),
       m_order(other.m_order),
       m_continues(other.m_continues),
@@ -92,26 +87,22 @@ FeedSource::FeedSource(FeedSource&& other) noexcept
 }
 
 FeedSource::~FeedSource() {
-  if (m_before && mayRead()) {
-    ::tcsetattr(STDIN_FILENO, TCSANOW, &*m_before);
-  }
   if (m_isOwn && m_descriptor >= 0) {
-    ::close(m_descriptor);
+    base::closeFile(m_descriptor);
   }
 }
 
 bool FeedSource::mayRead() const {
-  return m_descriptor >= 0 && (!m_hasKeys || ::tcgetpgrp(m_descriptor) == ::getpgrp());
+  return m_descriptor >= 0 && (!m_hasKeys || platform::isInForeground());
 }
 
 streaming::FeedOrder FeedSource::order(base::Instant now) {
   std::array<char, 256> bytes;
-  pollfd asked{m_descriptor, POLLIN, 0};
-  if (mayRead() && ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLIN | POLLHUP)) != 0) {
-    const ssize_t count = ::read(m_descriptor, bytes.data(), bytes.size());
-    m_isOver = count == 0;
-    for (ssize_t i = 0; i < count; ++i) {
-      const char byte = bytes[static_cast<std::size_t>(i)];
+  if (mayRead()) {
+    const platform::Input read = platform::readNow(m_descriptor, bytes);
+    m_isOver = read.bytes > 0 ? false : m_isOver || read.isAtEnd;
+    for (std::size_t i = 0; i < read.bytes; ++i) {
+      const char byte = bytes[i];
       if (m_hasKeys) {
         takeKey(byte);
       } else if (byte == '\n') {

@@ -7,8 +7,6 @@
 /// @threadsafety one object, one thread.
 #pragma once
 
-#include <termios.h>
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +15,7 @@
 #include "base/result.h"
 #include "cli/commands.h"
 #include "cli/progress_lines.h"
+#include "platform/terminal.h"
 #include "run/factor_feed.h"
 #include "streaming/run/feed_order.h"
 #include "streaming/run/run.h"
@@ -67,7 +66,7 @@ class FeedSource {
   int m_descriptor;  ///< < 0: there is none
   bool m_isOwn;
   bool m_hasKeys;
-  std::optional<termios> m_before;  ///< of the terminal
+  std::unique_ptr<platform::SingleKeys> m_keys;  ///< of the terminal
   std::string m_line;
   streaming::FeedOrder m_order;
   int m_continues = 0;

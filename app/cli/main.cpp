@@ -17,6 +17,7 @@
 #include "papers/catalogue.h"
 #include "platform/log.h"
 #include "platform/output.h"
+#include "platform/process.h"
 #include "streaming/control/machine_profile.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
@@ -1134,6 +1135,7 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
 
 int main(int argc, char** argv) {
   rivulet::output::guard();
+  const std::vector<std::string> words = rivulet::platform::arguments(argc, argv);
   CLI::App app("Streams a tool path to a CNC machine over OPC UA while the machine moves.",
                "rivulet-cli");
   app.set_version_flag("--version", RIVULET_VERSION);
@@ -1155,17 +1157,17 @@ int main(int argc, char** argv) {
   rivulet::cli::ConnectionOptions connection;
   app.parse_complete_callback([&] {
     rivulet::cli::setMemoryBudget(rivulet::base::Budget(memoryLimit));
-    rivulet::cli::startLog(logLevel, argc, argv);
+    rivulet::cli::startLog(logLevel, words);
     rivulet::cli::setConnectionOptions(connection);
   });
   addCheckCommand(app, exit);
   addPointsCommand(app, exit);
   addFeasibilityCommand(app, exit);
   addTemplateCommand(app, exit);
-  addStreamCommand(app, exit, {argv, argv + argc});
-  addRaiseCommand(app, exit, {argv, argv + argc});
-  addBackCommand(app, exit, {argv, argv + argc});
-  addJobCommand(app, exit, {argv, argv + argc});
+  addStreamCommand(app, exit, words);
+  addRaiseCommand(app, exit, words);
+  addBackCommand(app, exit, words);
+  addJobCommand(app, exit, words);
   addRunsCommand(app, exit);
   addAuditCommand(app, exit);
   addAnalyseCommand(app, exit);
@@ -1184,7 +1186,11 @@ int main(int argc, char** argv) {
 #endif
 
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    if (!reversed.empty()) {
+      reversed.pop_back();  // the name of the program
+    }
+    app.parse(std::move(reversed));
   } catch (const CLI::ParseError& error) {
     // Help and version are successes; everything else is wrong usage.
     std::ostringstream help;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -100,7 +101,7 @@ Exit points(const PointsOptions& options) {
     print(trajectory, stdout);
   } else {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-        std::fopen(options.output.c_str(), "wb"), &std::fclose);
+        base::openStreamToWrite(options.output), &std::fclose);
     if (!file) {
       return reportError(
           base::makeError(base::FileError::NotWritable,

@@ -3,13 +3,12 @@
 
 #include "cli/progress_lines.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 
 namespace rivulet::cli {
@@ -41,7 +40,7 @@ nlohmann::ordered_json stateJson(const streaming::LiveUpdate& update) {
 
 base::Result<ProgressLines> ProgressLines::open(const std::string& path) {
   const int descriptor =
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0600);
+      base::openToWrite(path, {.isEmptied = true, .neverWaits = true, .isForOwner = true});
   if (descriptor < 0) {
     return base::fail(base::FileError::NotWritable,
                       "The progress cannot be written there. Name a file in a folder that you may "
@@ -63,14 +62,13 @@ ProgressLines::ProgressLines(ProgressLines&& other) noexcept
 
 ProgressLines::~ProgressLines() {
   if (m_descriptor >= 0) {
-    ::close(m_descriptor);
+    base::closeFile(m_descriptor);
   }
 }
 
 /// A line is shorter than what a pipe takes at once or not at all.
 void ProgressLines::write(const std::string& line) const {
-  const std::string whole = line + '\n';
-  [[maybe_unused]] const ssize_t count = ::write(m_descriptor, whole.data(), whole.size());
+  base::writeSome(m_descriptor, line + '\n');
 }
 
 void ProgressLines::tell(const streaming::LiveUpdate& update) {

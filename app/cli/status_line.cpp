@@ -4,9 +4,10 @@
 #include "cli/status_line.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
+
+#include "platform/terminal.h"
 
 namespace rivulet::cli {
 
@@ -17,7 +18,7 @@ constexpr const char* kEraseLine = "\r\x1b[K";
 }  // namespace
 
 bool isTerminal() {
-  return isatty(STDERR_FILENO) == 1;
+  return platform::isErrorTerminal();
 }
 
 void StatusLine::show(const std::string& text) {

@@ -3,19 +3,15 @@
 
 #include "journal/line_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "base/file_lock.h"
 #include "base/private_file.h"
 #include "platform/user_folders.h"
 
@@ -32,34 +28,16 @@ tl::unexpected<base::Error> notWritable(const fs::path& path, int error) {
       path.string());
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : m_number(number) {}
-  ~Descriptor() {
-    if (m_number >= 0) {
-      close(m_number);  // releases the lock, too
-    }
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return m_number; }
-
- private:
-  int m_number;
-};
-
 /// The end of a file: the last complete line, and whether something incomplete follows it.
 struct Tail {
   std::string last;
   bool isCut = false;
 };
 
-Tail tailOf(int descriptor, off_t bytes) {
-  constexpr off_t kTailBytes = off_t{1} << 16;  // no line is longer
-  const off_t from = std::max<off_t>(0, bytes - kTailBytes);
-  std::string text(static_cast<std::size_t>(bytes - from), '\0');
-  const ssize_t count = pread(descriptor, text.data(), text.size(), from);
-  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+Tail tailOf(int descriptor, std::uintmax_t bytes) {
+  constexpr std::uintmax_t kTailBytes = std::uintmax_t{1} << 16U;  // no line is longer
+  const std::uintmax_t count = std::min(bytes, kTailBytes);
+  const std::string text = base::readAt(descriptor, bytes - count, static_cast<std::size_t>(count));
   Tail tail;
   const std::size_t end = text.rfind('\n');
   tail.isCut = !text.empty() && end + 1 != text.size();
@@ -72,24 +50,11 @@ Tail tailOf(int descriptor, off_t bytes) {
 }
 
 /// Opens the file and locks it. A file that was renamed while this waited is opened again.
-int openLocked(const fs::path& path) {
-  constexpr mode_t kOwnerOnly = 0600;
+base::Result<base::FileLock> openLocked(const fs::path& path) {
   for (;;) {
-    const int descriptor = open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, kOwnerOnly);
-    if (descriptor < 0) {
-      return -1;
-    }
-    struct stat opened {};
-    struct stat named {};
-    if (flock(descriptor, LOCK_EX) == 0 && fstat(descriptor, &opened) == 0 &&
-        stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino) {
-      return descriptor;
-    }
-    const int error = errno;
-    close(descriptor);
-    if (error != ENOENT && error != EINTR && error != 0) {
-      errno = error;
-      return -1;
+    base::Result<base::FileLock> file = base::FileLock::take(path);
+    if (!file || base::hasName(file->descriptor(), path)) {
+      return file;
     }
   }
 }
@@ -130,34 +95,34 @@ base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::u
   if (std::error_code status; !fs::exists(path.parent_path(), status)) {
     (void)base::makePrivateFolder(path.parent_path());  // opening says what is wrong
   }
-  const Descriptor file(openLocked(path));
-  if (file.number() < 0) {
-    return notWritable(path, errno);
+  const base::Result<base::FileLock> file = openLocked(path);
+  if (!file) {
+    return base::fail(file.error());
   }
-  struct stat facts {};
-  if (fstat(file.number(), &facts) != 0) {
-    return notWritable(path, errno);
+  std::error_code unknown;
+  const std::uintmax_t bytesBefore = fs::file_size(path, unknown);
+  if (unknown) {
+    return notWritable(path, unknown.default_error_condition().value());
   }
-  if (bytesMax > 0 && static_cast<std::uintmax_t>(facts.st_size) >= bytesMax) {
+  if (bytesMax > 0 && bytesBefore >= bytesMax) {
     fs::path older = path;
     older += ".1";
     std::error_code status;
     fs::rename(path, older, status);
     if (status) {
-      return notWritable(path, status.value());
+      return notWritable(path, status.default_error_condition().value());
     }
     return appendLine(path, make, bytesMax, done);
   }
-  const Tail tail = tailOf(file.number(), facts.st_size);
+  const Tail tail = tailOf(file->descriptor(), bytesBefore);
   const std::string line = make(tail.last);
   const std::string text = (tail.isCut ? "\n" : "") + line + '\n';
-  int error = base::writeWhole(file.number(), text);
-  error = error == 0 ? base::syncToDisk(file.number()) : error;
+  int error = base::writeAt(file->descriptor(), text, bytesBefore);
+  error = error == 0 ? base::syncToDisk(file->descriptor()) : error;
   if (error != 0) {
     return notWritable(path, error);
   }
-  return done ? done({line, tail.last, static_cast<std::uintmax_t>(facts.st_size),
-                      static_cast<std::uintmax_t>(facts.st_size) + text.size()})
+  return done ? done({line, tail.last, bytesBefore, bytesBefore + text.size()})
               : base::Result<void>{};
 }
 

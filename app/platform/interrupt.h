@@ -20,4 +20,7 @@ void watch();
 /// The same, for code that is also told to end by others.
 [[nodiscard]] const std::atomic<bool>& flag();
 
+/// Called by a thread that is not to be interrupted by what the system tells this program.
+void leaveToOtherThreads();
+
 }  // namespace rivulet::interrupt

@@ -42,4 +42,10 @@ const std::atomic<bool>& flag() {
   return g_seen;
 }
 
+void leaveToOtherThreads() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
 }  // namespace rivulet::interrupt

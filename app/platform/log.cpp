@@ -84,7 +84,7 @@ base::Result<void> setUp(const Settings& settings) {
   std::error_code status;
   fs::create_directories(settings.folder, status);
   try {
-    auto file = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(path.string(), kFileBytesMax,
+    auto file = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(path.native(), kFileBytesMax,
                                                                        kOlderFiles);
     file->set_level(isChosen ? chosen : spdlog::level::info);
     // With the process: several may write to the same file.

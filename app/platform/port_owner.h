@@ -7,14 +7,15 @@
 /// @threadsafety reads files of the system; shares nothing.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
 
 namespace rivulet::platform {
+
+/// Of a user, as the kernel counts them.
+using UserNumber = unsigned;
 
 enum class PortKind {
   TcpListener,
@@ -23,7 +24,7 @@ enum class PortKind {
 
 /// @param table  folder of the kernel's lists
 /// @return the users, none if nobody has the port; nothing if the lists cannot be read
-[[nodiscard]] std::optional<std::set<uid_t>> ownersOfPort(
+[[nodiscard]] std::optional<std::set<UserNumber>> ownersOfPort(
     PortKind kind, std::uint16_t port, const std::filesystem::path& table = "/proc/net");
 
 /// Somebody else than this user and the administrator has the port. False as well if that cannot be

@@ -24,7 +24,7 @@ constexpr const char* kListens = "0A";
 
 /// @return whether the list could be read
 bool addOwners(const std::filesystem::path& list, bool listenersOnly, std::uint16_t port,
-               std::set<uid_t>& owners) {
+               std::set<UserNumber>& owners) {
   std::ifstream stream(list);
   std::string line;
   if (!std::getline(stream, line)) {  // titles
@@ -42,7 +42,7 @@ bool addOwners(const std::filesystem::path& list, bool listenersOnly, std::uint1
     const std::string& local = columns[kLocalAddress];
     const std::string& user = columns[kUser];
     unsigned number = 0;
-    uid_t owner = 0;
+    UserNumber owner = 0;
     constexpr int kHex = 16;
     const std::size_t colon = local.rfind(':') + 1;
     const bool isRead =
@@ -58,10 +58,10 @@ bool addOwners(const std::filesystem::path& list, bool listenersOnly, std::uint1
 
 }  // namespace
 
-std::optional<std::set<uid_t>> ownersOfPort(PortKind kind, std::uint16_t port,
-                                            const std::filesystem::path& table) {
+std::optional<std::set<UserNumber>> ownersOfPort(PortKind kind, std::uint16_t port,
+                                                 const std::filesystem::path& table) {
   const bool isTcp = kind == PortKind::TcpListener;
-  std::set<uid_t> owners;
+  std::set<UserNumber> owners;
   const bool isRead = addOwners(table / (isTcp ? "tcp" : "udp"), isTcp, port, owners);
   // A computer without IPv6 has no second list.
   addOwners(table / (isTcp ? "tcp6" : "udp6"), isTcp, port, owners);
@@ -71,7 +71,7 @@ std::optional<std::set<uid_t>> ownersOfPort(PortKind kind, std::uint16_t port,
 bool isPortOfAnother(PortKind kind, std::uint16_t port, const std::filesystem::path& table) {
   const auto owners = ownersOfPort(kind, port, table);
   return owners && std::any_of(owners->begin(), owners->end(),
-                               [](uid_t owner) { return owner != 0 && owner != geteuid(); });
+                               [](UserNumber owner) { return owner != 0 && owner != geteuid(); });
 }
 
 }  // namespace rivulet::platform

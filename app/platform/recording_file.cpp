@@ -3,14 +3,11 @@
 
 #include "platform/recording_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <condition_variable>
-#include <csignal>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -19,7 +16,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
-#include "base/private_file.h"
+#include "platform/interrupt.h"
 #include "trace/frames.h"
 
 namespace rivulet::recorder {
@@ -35,7 +32,8 @@ constexpr std::chrono::milliseconds kFrameTime{500};
 
 int syncAndClose(int descriptor) {
   const int error = base::syncToDisk(descriptor);
-  return close(descriptor) != 0 && error == 0 ? errno : error;
+  const int closing = base::closeFile(descriptor);
+  return error != 0 ? error : closing;
 }
 
 }  // namespace
@@ -63,9 +61,7 @@ struct RecordingFile::State {
 /// The thread of the file. Signals are for the thread of the run; a pipe without its reader and a
 /// file beyond its limit become errors of `write`.
 void RecordingFile::State::work() {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  interrupt::leaveToOtherThreads();
   trace::FrameWriter frames;
   std::unique_lock lock(mutex);
   for (;;) {
@@ -129,9 +125,9 @@ int RecordingFile::State::write(trace::FrameWriter& frames, std::string_view tex
 
 base::Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::filesystem::path& path,
                                                                  const RecordingLimits& limits) {
-  // Without O_NONBLOCK, a pipe that nobody reads would be waited for here.
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK,
-                                base::kPrivateFileMode);
+  // A pipe that nobody reads is not waited for here; one that is slow is, by the thread.
+  const int descriptor =
+      base::openToWrite(path, {.isEmptied = true, .neverWaits = true, .isForOwner = true});
   if (descriptor < 0) {
     const bool isPipe = errno == ENXIO;
     return base::fail(base::FileError::NotWritable,
@@ -142,7 +138,7 @@ base::Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::file
                                         std::generic_category().message(errno)),
                       path.string());
   }
-  fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  base::letWait(descriptor);
   auto state = std::make_shared<State>();
   state->limits = limits;
   state->descriptor = descriptor;

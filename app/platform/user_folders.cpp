@@ -3,39 +3,10 @@
 
 #include "platform/user_folders.h"
 
-#include <cstdlib>
 #include <string>
 #include <system_error>
 
 namespace rivulet::folders {
-
-namespace fs = std::filesystem;
-
-namespace {
-
-fs::path variable(const char* name) {
-  const char* value = std::getenv(name);
-  return {value == nullptr ? "" : value};
-}
-
-fs::path folder(const char* name, const char* belowHome) {
-  const fs::path chosen = variable(name);
-  return chosen.is_absolute() ? chosen : variable("HOME") / belowHome;
-}
-
-}  // namespace
-
-fs::path dataHome() {
-  return folder("XDG_DATA_HOME", ".local/share");
-}
-
-fs::path configHome() {
-  return folder("XDG_CONFIG_HOME", ".config");
-}
-
-fs::path stateHome() {
-  return folder("XDG_STATE_HOME", ".local/state");
-}
 
 std::filesystem::path moveAside(const std::filesystem::path& file) {
   std::filesystem::path target = file;

@@ -3,7 +3,7 @@
 
 /// @file
 /// Where a user's files are, by the XDG Base Directory Specification: the variable if it holds an
-/// absolute path, else the folder below $HOME.
+/// absolute path, else the folder below $HOME; on Windows %LOCALAPPDATA%, for settings %APPDATA%.
 /// @threadsafety reads the environment.
 #pragma once
 

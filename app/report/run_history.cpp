@@ -3,14 +3,13 @@
 
 #include "report/run_history.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 #include "base/private_file.h"
 #include "base/text.h"
@@ -52,12 +51,11 @@ std::string nameOf(const std::string& programName, const std::string& startedAtU
 /// Makes the file, empty, unless there is one: programs that end a run at the same time never get
 /// the same name. What else is wrong with it is said by whoever writes it.
 bool isOfAnother(const fs::path& path) {
-  constexpr mode_t kMode = 0666;  // less what the user's mask takes away
-  const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+  const int made = base::openToWrite(path, {.mustBeNew = true});
   if (made < 0) {
     return errno == EEXIST;
   }
-  ::close(made);
+  base::closeFile(made);
   return false;
 }
 

@@ -5,8 +5,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <pwd.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -25,6 +23,7 @@
 #include "base/units.h"
 #include "gcode/facts.h"
 #include "journal/line_file.h"
+#include "platform/process.h"
 #include "report/run_fields.h"
 #include "streaming/recovery/resume.h"
 #include "templates/job_loop.h"
@@ -197,12 +196,8 @@ bool SavedRun::isUntouched() const {
 }
 
 streaming::RunOrigin thisUser() {
-  constexpr std::size_t kHostNameMax = 256;
-  std::array<char, kHostNameMax> host{};
-  const bool hasHost = gethostname(host.data(), host.size() - 1) == 0;
-  const passwd* user = getpwuid(getuid());
-  return {user != nullptr ? user->pw_name : std::to_string(getuid()),
-          hasHost ? host.data() : "unknown",
+  const std::string host = platform::hostName();
+  return {platform::userName(), host.empty() ? "unknown" : host,
           fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)))};
 }
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A file descriptor that is closed when it goes out of scope, and reads that never wait.
+/// A socket that is closed when it goes out of scope, and sending that never waits.
 /// @threadsafety one object, one thread.
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -31,14 +29,6 @@ class Descriptor {
  private:
   int m_number = -1;
 };
-
-/// What a read that does not wait has brought.
-struct Read {
-  std::size_t bytes = 0;
-  bool isOver = false;  ///< the other side has closed, or the connection has failed
-};
-
-[[nodiscard]] Read readNow(int descriptor, std::span<char> into);
 
 /// Sends what there is room for; a line that does not fit is left out as a whole, unless a part of
 /// it has gone. @return false: the other side is gone

@@ -24,20 +24,6 @@ Descriptor::~Descriptor() {
   }
 }
 
-Read readNow(int descriptor, std::span<char> into) {
-  // Standard input may be shared with other programs: it is polled, not switched to non-blocking
-  // mode.
-  pollfd asked{descriptor, POLLIN, 0};
-  if (::poll(&asked, 1, 0) <= 0 || asked.revents == 0) {
-    return {};
-  }
-  const ssize_t count = ::read(descriptor, into.data(), into.size());
-  if (count > 0) {
-    return {static_cast<std::size_t>(count), false};
-  }
-  return {0, count == 0 || (errno != EAGAIN && errno != EINTR)};
-}
-
 bool sendNow(int descriptor, std::string_view line) {
   bool hasBegun = false;
   while (!line.empty()) {

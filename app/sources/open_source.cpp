@@ -3,15 +3,14 @@
 
 #include "sources/open_source.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "base/text.h"
 #include "live/error.h"
+#include "platform/input.h"
+#include "sources/pipe_source.h"
 #include "sources/socket_source.h"
 #ifdef RIVULET_WITH_OPEN62541
 #include "sources/server_source.h"
@@ -20,9 +19,7 @@
 namespace rivulet::sources {
 
 bool inputBringsPoints() {
-  struct stat input {};
-  return ::fstat(STDIN_FILENO, &input) == 0 &&
-         (S_ISFIFO(input.st_mode) || S_ISREG(input.st_mode) || S_ISSOCK(input.st_mode));
+  return platform::isInputFed();
 }
 
 namespace {
@@ -48,7 +45,7 @@ bool isPort(const std::string& address) {
 
 base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address) {
   if (address == "-") {
-    return std::unique_ptr<live::Source>(std::make_unique<PipeSource>(STDIN_FILENO));
+    return std::unique_ptr<live::Source>(std::make_unique<PipeSource>(platform::kStandardInput));
   }
   const auto [kind, rest] = partsOf(address);
   if (kind == "unix") {

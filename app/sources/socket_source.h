@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Live sources over standard input, UNIX and TCP sockets (one sender; it is told how far the run
-/// is) and UDP. @threadsafety one object, one thread; nothing waits.
+/// Live sources over UNIX and TCP sockets (one sender; it is told how far the run is) and UDP.
+/// @threadsafety one object, one thread; nothing waits.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,6 @@
 #include "sources/descriptor.h"
 
 namespace rivulet::sources {
-
-/// Standard input. Its end is the end of the points.
-class PipeSource final : public live::Source {
- public:
-  explicit PipeSource(int descriptor) : m_descriptor(descriptor) {}
-  std::string name() const override { return "standard input"; }
-  std::size_t read(std::span<char> into) override;
-  bool isClosed() const override { return m_isClosed; }
-  bool endsByClosing() const override { return true; }
-
- private:
-  int m_descriptor;  ///< not ours to close
-  bool m_isClosed = false;
-};
 
 /// A socket that listens for one sender. Others are told that it is taken.
 class StreamSocketSource final : public live::Source {

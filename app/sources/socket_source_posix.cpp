@@ -20,6 +20,7 @@
 #include <cstring>
 
 #include "live/error.h"
+#include "platform/input.h"
 #include "platform/port_owner.h"
 
 namespace rivulet::sources {
@@ -85,12 +86,6 @@ void removeStale(const std::string& path, const sockaddr* address, socklen_t len
 }
 
 }  // namespace
-
-std::size_t PipeSource::read(std::span<char> into) {
-  const Read done = readNow(m_descriptor, into);
-  m_isClosed = m_isClosed || done.isOver;
-  return done.bytes;
-}
 
 Result<SourcePtr> StreamSocketSource::listenUnix(const std::string& path) {
   const std::string name = "unix:" + path;
@@ -166,9 +161,9 @@ std::size_t StreamSocketSource::read(std::span<char> into) {
   if (!m_sender.isOpen() || m_isClosed) {
     return 0;
   }
-  const Read done = readNow(m_sender.number(), into);
-  m_isClosed = done.isOver;
-  return done.bytes;
+  const platform::Input read = platform::readNow(m_sender.number(), into);
+  m_isClosed = read.isAtEnd || read.isBroken;
+  return read.bytes;
 }
 
 void StreamSocketSource::tell(const live::Progress& progress) {

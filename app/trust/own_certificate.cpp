@@ -4,15 +4,14 @@
 #include "trust/own_certificate.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
 #include <system_error>
 
 #include "base/file.h"
 #include "base/private_file.h"
 #include "opcua/error.h"
 #include "opcua/open62541/encryption.h"
+#include "platform/process.h"
 #include "platform/user_folders.h"
 #include "trust/private_file.h"
 
@@ -26,10 +25,8 @@ constexpr const char* kCertificateFile = "certificate.der";
 constexpr const char* kKeyFile = "key.der";
 
 std::string hostName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0'
-             ? std::string(name.data())
-             : std::string("localhost");
+  const std::string name = platform::hostName();
+  return name.empty() ? "localhost" : name;
 }
 
 fs::path folderFor(const fs::path& folder, Owner owner) {
@@ -75,7 +72,8 @@ base::Result<fs::path> make(const fs::path& folder, Owner owner) {
     return base::fail(done.error());
   }
   const fs::path fresh =
-      folder / fmt::format("{}.new-{}", folderFor(folder, owner).filename().string(), getpid());
+      folder /
+      fmt::format("{}.new-{}", folderFor(folder, owner).filename().string(), platform::processId());
   std::error_code status;
   fs::remove_all(fresh, status);
   auto done = base::makePrivateFolder(fresh);
