@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -99,11 +100,11 @@ base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::u
   if (!file) {
     return base::fail(file.error());
   }
-  std::error_code unknown;
-  const std::uintmax_t bytesBefore = fs::file_size(path, unknown);
-  if (unknown) {
-    return notWritable(path, unknown.default_error_condition().value());
+  const std::int64_t size = base::sizeOf(file->descriptor());
+  if (size < 0) {
+    return notWritable(path, errno);
   }
+  const auto bytesBefore = static_cast<std::uintmax_t>(size);
   if (bytesMax > 0 && bytesBefore >= bytesMax) {
     fs::path older = path;
     older += ".1";

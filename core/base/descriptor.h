@@ -49,6 +49,8 @@ int closeFile(int descriptor);
 std::ptrdiff_t writeSome(int descriptor, std::string_view text);
 /// @return less than `bytes` at the end of the file, or if it cannot be read
 [[nodiscard]] std::string readAt(int descriptor, std::uint64_t at, std::size_t bytes);
+/// Of the file now; < 0: it has none, `errno` says why.
+[[nodiscard]] std::int64_t sizeOf(int descriptor);
 /// @return whether the file has this size now
 [[nodiscard]] bool cutTo(int descriptor, std::uint64_t bytes);
 

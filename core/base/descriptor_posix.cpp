@@ -78,6 +78,11 @@ std::string readAt(int descriptor, std::uint64_t at, std::size_t bytes) {
   return text;
 }
 
+std::int64_t sizeOf(int descriptor) {
+  struct stat facts {};
+  return fstat(descriptor, &facts) == 0 ? facts.st_size : -1;
+}
+
 bool cutTo(int descriptor, std::uint64_t bytes) {
   return ftruncate(descriptor, static_cast<off_t>(bytes)) == 0;
 }

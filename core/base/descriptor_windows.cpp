@@ -160,6 +160,15 @@ std::string readAt(int descriptor, std::uint64_t at, std::size_t bytes) {
   return text;
 }
 
+std::int64_t sizeOf(int descriptor) {
+  LARGE_INTEGER size{};
+  if (GetFileSizeEx(handleOf(descriptor), &size) == 0) {
+    errno = errorNumber();
+    return -1;
+  }
+  return size.QuadPart;
+}
+
 bool cutTo(int descriptor, std::uint64_t bytes) {
   return _chsize_s(descriptor, static_cast<std::int64_t>(bytes)) == 0;
 }
