@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "base/secret.h"
 
 namespace rivulet::opcua {
 
@@ -189,7 +190,7 @@ UA_StatusCode protect(UA_ClientConfig& config, const SecureEndpoint& endpoint,
   }
   status |= addPolicy(config.authSecurityPoliciesSize, config.authSecurityPolicies, login, signer,
                       config.logging);
-  explicit_bzero(signer.privateKey.data(), signer.privateKey.size());
+  base::wipe(signer.privateKey);
   status |= UA_copy(&description, &config.endpoint, &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]);
   status |= UA_copy(token, &config.userTokenPolicy, &UA_TYPES[UA_TYPES_USERTOKENPOLICY]);
   const UA_String uri = borrow(own.applicationUri);

@@ -10,6 +10,7 @@
 
 #include "base/contract.h"
 #include "base/random.h"
+#include "base/secret.h"
 #include "opcua/host_check.h"
 #include "opcua/open62541/method_call.h"
 #include "opcua/open62541/ua_link_impl.h"
@@ -120,10 +121,9 @@ base::Result<void> UaLink::Impl::open() {
   UA_ClientConfig* config = UA_Client_getConfig(m_client);
   config->noNewSession = true;
   forgetPassword(*config);  // the session is never activated again
-  explicit_bzero(m_options.password.data(), m_options.password.size());
+  base::wipe(m_options.password);
   if (m_options.userCertificate) {
-    std::string& key = m_options.userCertificate->privateKey;
-    explicit_bzero(key.data(), key.size());
+    base::wipe(m_options.userCertificate->privateKey);
   }
   m_options.own = nullptr;
   m_options.trust = nullptr;
