@@ -294,10 +294,10 @@ void readControl(Reader& reader, MachineConfig& config) {
                     Choices<Dynamics, 2>{{{"BRISK", Dynamics::Brisk}, {"SOFT", Dynamics::Soft}}});
   config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
   if (reader.has("control.overlayMm")) {
-    config.overlayMm = reader.number("control.overlayMm", 0.0, 1e8);
+    config.overlay.mostMm = reader.number("control.overlayMm", 0.0, 1e8);
   }
   if (reader.has("control.overlayMode")) {
-    config.overlayMode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
+    config.overlay.mode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
   }
   config.roundingMm = reader.number("control.roundingMm", 0.0, 10.0);
   config.rParameterCount = static_cast<int>(reader.number("control.rParameters", 1.0, 32535.0));

@@ -147,11 +147,14 @@ struct MachineConfig {
   bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
   Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
   double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any
-  /// MD36750 of X, Y and Z: 1 $AA_OFF adds up the values written, 2 it is kept at a reset of the
-  /// channel and at the end of a program. Optional in a preset: 0.
-  int overlayMode = 0;
-  /// SD43350 of X, Y and Z: largest $AA_OFF. Optional in a preset.
-  double overlayMm = 10.0;
+  /// $AA_OFF of X, Y and Z. Optional in a preset.
+  struct Overlay {
+    /// MD36750: 1 adds up the values written, 2 is kept at a reset of the channel and at the end of
+    /// a program.
+    int mode = 0;
+    double mostMm = 10.0;  ///< SD43350
+  };
+  Overlay overlay;
   double roundingMm = 0.0;   ///< deviation at corners that G64 and G642 allow
   int rParameterCount = 0;   ///< MD28050
   double rapidMmPerS = 0.0;  ///< path speed of G0

@@ -312,9 +312,9 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
       case SystemVariable::AaDtew:
         return isAxis ? std::optional(m_planner.distanceToGoMm()[element]) : std::nullopt;
       case SystemVariable::MaAaOffMode:
-        return isAxis ? std::optional<double>(m_config.overlayMode) : std::nullopt;
+        return isAxis ? std::optional<double>(m_config.overlay.mode) : std::nullopt;
       case SystemVariable::SaAaOffLimit:
-        return isAxis ? std::optional(m_config.overlayMm) : std::nullopt;
+        return isAxis ? std::optional(m_config.overlay.mostMm) : std::nullopt;
       case SystemVariable::AaOff:
       case SystemVariable::AaOffVal:
         return isAxis ? std::optional(m_offsetMm[element]) : std::nullopt;
@@ -344,8 +344,9 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
         if (index < 0 || element >= base::kAxisCount) {
           return false;
         }
-        value += (m_config.overlayMode & kOffsetAddsUp) != 0 ? m_offsetWantedMm[element] : 0.0;
-        m_offsetWantedMm.set(element, std::clamp(value, -m_config.overlayMm, m_config.overlayMm));
+        value += (m_config.overlay.mode & kOffsetAddsUp) != 0 ? m_offsetWantedMm[element] : 0.0;
+        m_offsetWantedMm.set(element,
+                             std::clamp(value, -m_config.overlay.mostMm, m_config.overlay.mostMm));
         return true;
       case SystemVariable::AcOvr:
         if (value < 0.0) {
@@ -396,7 +397,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   }
 
   void dropOffset() {
-    if ((m_config.overlayMode & kOffsetStays) == 0) {
+    if ((m_config.overlay.mode & kOffsetStays) == 0) {
       m_offsetWantedMm = {};
     }
   }

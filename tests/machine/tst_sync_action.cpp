@@ -132,7 +132,7 @@ class TestSyncAction : public QObject {
   /// the end of a program.
   void overlayModeOfTheControl() {
     machine::MachineConfig adding = config();
-    adding.overlayMode = 1;
+    adding.overlay.mode = 1;
     Machine sum(adding, 1);
     start(sum, "ID=1 DO $AA_OFF[Y]=$R1\nR3=$MA_AA_OFF_MODE[Y]\nG4 F100\nM30\n");
     sum.writeRParameter(1, 0.001);
@@ -141,7 +141,7 @@ class TestSyncAction : public QObject {
     QCOMPARE(sum.ncRParameter(3), 1.0);
     for (const int mode : {0, 2}) {
       machine::MachineConfig control = config();
-      control.overlayMode = mode;
+      control.overlay.mode = mode;
       const double stays = mode == 2 ? 0.5 : 0.0;
       for (const bool byReset : {true, false}) {
         Machine machine(control, 1);

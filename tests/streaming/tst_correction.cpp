@@ -346,7 +346,7 @@ class TestCorrection : public QObject {
   void resetTakesItBackWhereTheControlDoes() {
     for (const int mode : {0, 2}) {
       machine::MachineConfig config = *machine::loadPreset("dmu75");
-      config.overlayMode = mode;
+      config.overlay.mode = mode;
       Bench bench(config);
       bench.correct({0.1, 0.0, 0.0});
       bench.machine.reset();
@@ -510,7 +510,7 @@ class TestCorrection : public QObject {
   void unfitControlIsRefused() {
     for (const int mode : {1, 2}) {
       machine::MachineConfig config = *machine::loadPreset("dmu75");
-      config.overlayMode = mode;
+      config.overlay.mode = mode;
       World world(config);
       if (mode == 2) {
         QVERIFY(
@@ -552,7 +552,7 @@ class TestCorrection : public QObject {
     QFETCH(double, y);
     QFETCH(int, error);
     machine::MachineConfig config = *machine::loadPreset("dmu75");
-    config.overlayMode = mode;
+    config.overlay.mode = mode;
     World world(config);
     const auto program = straight(60, 5.0);
     const Vec3 correctionMm{x, std::min(y, 0.1), 0.0};

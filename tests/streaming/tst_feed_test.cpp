@@ -215,9 +215,9 @@ class TestFeedTest : public QObject {
   /// A control that adds overlays up, or allows too little, moves nothing.
   void overlaysThatDoNotFitMoveNothing() {
     machine::MachineConfig adding = *machine::loadPreset("dmu75");
-    adding.overlayMode = 1;
+    adding.overlay.mode = 1;
     machine::MachineConfig narrow = *machine::loadPreset("dmu75");
-    narrow.overlayMm = 1.5;
+    narrow.overlay.mostMm = 1.5;
     for (const machine::MachineConfig& config : {adding, narrow}) {
       World world(config);
       FeedTestPlan plan;

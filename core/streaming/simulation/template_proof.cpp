@@ -247,7 +247,7 @@ class Prover {
     m_config.rParameterCount = m_parameters.rParameterCount;
     // The program itself has to take corrections back: this control keeps what lies over its axes.
     constexpr int kKeepsOverlay = 2;
-    m_config.overlayMode = kKeepsOverlay;
+    m_config.overlay.mode = kKeepsOverlay;
   }
 
   std::vector<ProofCase> run() {
