@@ -249,7 +249,7 @@ class TestPacked : public QObject {
   }
 
   /// The smallest distances of [P1], at its access times: as fast as with a client that needs no
-  /// time. RIVULET_SEEDS=40 makes the table of docs/reach.md.
+  /// time. RIVULET_SEEDS=40 makes the table of docs/methods.md.
   void reachesMoreThanTwiceTheFeed_data() {
     QTest::addColumn<int>("method");
     QTest::addColumn<bool>("brisk");
