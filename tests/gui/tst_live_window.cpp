@@ -5,11 +5,13 @@
 /// source that is silent, that sends rubbish or goes away, and a connection that is cut.
 
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QTemporaryDir>

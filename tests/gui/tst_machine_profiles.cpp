@@ -4,6 +4,8 @@
 /// The limits of a machine, typed in the window: they count at once, and again at the next
 /// connection to this machine. And the machines that the window knows.
 
+#include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>

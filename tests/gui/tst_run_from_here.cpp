@@ -4,6 +4,7 @@
 /// A run that begins at a line the operator has chosen: shown first, then held like a resumed one.
 
 #include <QInputDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>

@@ -177,7 +177,8 @@ class MethodPanel final : public Page {
       checkBox({.text = QT_TR_NOOP("copied by hand"),
                 .tip = QT_TR_NOOP(
                     "For a control that gives no right to its part programs: store the template "
-                    "there, select it and press cycle start. The run waits until this is done.")});
+                    "there, select it and press cycle start. The run waits until this is done."),
+                .id = "by-hand"});
 
   QGroupBox* m_pausesGroup = group({.text = QT_TR_NOOP("Pauses")});
   QLabel* m_planned = value({.wraps = true});

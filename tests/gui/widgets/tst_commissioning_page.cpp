@@ -74,7 +74,7 @@ class TestCommissioningPage : public QObject {
     page.show();
     QSignalSpy wanted(&page, &CommissioningPage::testRequested);
     auto* confirmed = page.findChildren<QCheckBox*>().first();
-    QVERIFY(confirmed->text().contains("R0 to R13"));
+    QVERIFY(confirmed->text().contains("R0 to R17"));
     auto* program = page.findChild<QPlainTextEdit*>();
     QVERIFY(program->toPlainText().contains("MOVES NO AXIS"));
     QCheckBox* moves = nullptr;

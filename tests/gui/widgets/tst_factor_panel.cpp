@@ -135,7 +135,8 @@ class TestFactorPanel : public QObject {
     FactorPanel panel;
     panel.setChoice(kChoice);
     const QString before = statusOf(panel);
-    live::FactorSeen source{static_cast<live::FactorState>(state), factor, {}, {}, "udp:5005"};
+    live::FactorSeen source{
+        static_cast<live::FactorState>(state), factor, {}, {}, "udp:5005", std::nullopt};
     source.why = source.state == live::FactorState::Follows ? "" : "Something.";
     if (refused > 0.0) {
       source.refused = refused;

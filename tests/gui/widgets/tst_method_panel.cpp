@@ -158,7 +158,7 @@ class TestMethodPanel : public QObject {
 
   void theTemplateMayComeByHand() {
     widgets::MethodPanel panel;
-    auto* const byHand = panel.findChild<QCheckBox*>();
+    auto* const byHand = panel.findChild<QCheckBox*>("by-hand");
     QVERIFY(byHand != nullptr && !byHand->isChecked());
     QSignalSpy changed(&panel, &widgets::MethodPanel::settingsChanged);
     byHand->click();
