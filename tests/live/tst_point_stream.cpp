@@ -43,13 +43,13 @@ class TextSource final : public live::Source {
 };
 
 struct Bench {
-  explicit Bench(std::size_t pointsPerWindow = 4, double secondsMax = 0.0)
+  explicit Bench(std::size_t pointsPerWindow = 4, double secondsMax = 0.0, int packedAxes = 0)
       : stream(source, agreement(), limits()) {
     stream.begin({{},
                   600.0,
                   {true, true, true},
                   {true, false, false},
-                  {pointsPerWindow, 3, false, secondsMax}},
+                  {pointsPerWindow, 3, false, secondsMax, packedAxes}},
                  at);
   }
   static live::Agreement agreement() {
@@ -398,6 +398,20 @@ class TestPointStream : public QObject {
     live::Setup other;
     other.agreement.stepMmMax = 5.001;
     QVERIFY(live::textOf(other) != live::textOf(live::Setup{}));
+  }
+
+  /// Packed points lie on whole steps, and as near to the first of their window as fits: 0.511 mm
+  /// with five axes.
+  void packedPointsShareAWindowOnlyIfTheyFit() {
+    for (const bool packs : {false, true}) {
+      Bench bench(6, 0.0, packs ? 5 : 0);
+      bench.send("X0.20004\nX0.4\nX0.60001\nX0.8\nX1\nX1.2\n");
+      QCOMPARE(bench.window(), packs ? 3U : 6U);
+      QCOMPARE(bench.stream.points().front().positionMm.x, packs ? 0.2 : 0.20004);
+      QCOMPARE(bench.stream.points()[2].positionMm.x, packs ? 0.6 : 0.60001);
+      bench.wait(1s);
+      QCOMPARE(bench.window(), packs ? 3U : 0U);
+    }
   }
 
   void theSourceIsToldHowFarTheRunIs() {
