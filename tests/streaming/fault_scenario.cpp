@@ -466,6 +466,28 @@ class Exposure {
 
 }  // namespace
 
+/// The points of some runs share cells. They lie on whole steps then.
+void packSome(FaultScenario& drawn, std::uint64_t seed) {
+  RunSettings& settings = drawn.run.scenario.settings;
+  const bool fits = base::fillsWindows(settings.parameters.method) &&
+                    settings.parameters.slotStride == 0 &&
+                    !base::any(settings.parameters.rotaryAxes);
+  if (!fits || Random(seed).fork(36).below(2) == 0) {
+    return;
+  }
+  std::vector<base::Vec3> points;
+  for (const base::Vec3 mm : drawn.run.pointsMm) {
+    points.push_back(
+        {base::Packing::rounded(mm.x), base::Packing::rounded(mm.y), base::Packing::rounded(mm.z)});
+    if (points.size() > 1 && points[points.size() - 2] == points.back()) {
+      return;  // refused by name
+    }
+  }
+  drawn.run.pointsMm = std::move(points);
+  drawn.run.scenario.program = programOf(drawn.run.pointsMm);
+  settings.parameters.packed = true;
+}
+
 FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& preset,
                          MethodKind method) {
   FaultScenario drawn;
@@ -486,6 +508,7 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
     settings.parameters.windows = 1 + static_cast<int>(random.below(4));
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
     settings.parameters.slotStride = random.below(4) == 0 ? 5 : 0;
+    packSome(drawn, seed);
     settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
                                                  templates::pointsPerLoopMax(settings.parameters));
   }

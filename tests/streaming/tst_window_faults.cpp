@@ -133,6 +133,7 @@ struct Tally {
   std::size_t refused = 0;
   std::size_t caughtUp = 0;
   std::size_t withRotary = 0;
+  std::size_t packed = 0;
 
   void add(const Tally& other) {
     runs += other.runs;
@@ -149,6 +150,7 @@ struct Tally {
     refused += other.refused;
     caughtUp += other.caughtUp;
     withRotary += other.withRotary;
+    packed += other.packed;
   }
 };
 
@@ -202,6 +204,7 @@ QString examineWindow(
   count(evidence, tally);
   const base::RotarySet& rotaryAxes = drawn.run.scenario.settings.parameters.rotaryAxes;
   tally.withRotary += base::any(rotaryAxes) ? 1 : 0;
+  tally.packed += drawn.run.scenario.settings.parameters.packed ? 1 : 0;
   Follower follower(points, rotaryAxes);
   for (const FaultSegment& segment : evidence.segments) {
     if (segment.trace.truncated) {
@@ -318,10 +321,10 @@ void print(const char* what, const Tally& sum) {
   qInfo(
       "%s: %zu runs, %zu attempts, %zu points, %zu whole, %zu with wrong motion; %zu stopped, %zu "
       "lost, %zu windows refused, %zu resets (%zu in a rounding), %zu stray writes, %zu intruded, "
-      "%zu wrong programs, %zu with rotary axes",
+      "%zu wrong programs, %zu with rotary axes, %zu with packed points",
       what, sum.runs, sum.attempts, sum.points, sum.whole, sum.wrong, sum.stopped, sum.lost,
       sum.damaged, sum.resets, sum.caughtUp, sum.strayWrites, sum.intruded, sum.refused,
-      sum.withRotary);
+      sum.withRotary, sum.packed);
 }
 
 }  // namespace
