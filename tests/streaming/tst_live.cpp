@@ -90,8 +90,8 @@ struct Bench {
   RunReport run() {
     live::PointStream stream(source, agreed, limits);
     return streaming::runLive(link, link, "script", stream,
-                              *templates::makeProgram(settings.parameters), settings, watcher,
-                              watcher);
+                              templates::makeProgram(settings.parameters).value(), settings,
+                              watcher, watcher);
   }
   /// A spiral from the tool's place, one point each `interval`. @return time of the last
   Duration spiral(int count, Duration interval, double stepMm = 0.1) {
@@ -351,6 +351,7 @@ class TestLive : public QObject {
 
   void onlyMethodsThatWait() {
     Bench bench(MethodKind::Signal);
+    bench.settings.parameters.pointsPerLoop = 4;
     bench.source.say(0s, "X0.1\nend\n");
     QVERIFY(bench.run().error.code == streaming::StreamError::ProgramNotStreamable);
   }
