@@ -74,9 +74,9 @@ base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& 
 void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan& plan) {
   const std::string motion =
       plan.move ? fmt::format(
-                      "The test moves {} back and forth, three times{}: keep its way "
-                      "clear.",
-                      streaming::describe(*plan.move), plan.move->liftMm > 0.0 ? ", and Z up" : "")
+                      "The test makes this move back and forth, three times: {}. Keep its "
+                      "way clear.",
+                      streaming::describe(*plan.move))
                 : std::string("The test moves no axis.");
   const int cells = options.feedCell ? streaming::kFeedTestCells : streaming::kCreditTestCells;
   fmt::print(
