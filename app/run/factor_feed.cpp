@@ -46,8 +46,12 @@ FactorFeed::FactorFeed(std::unique_ptr<live::Source> source, const live::FactorA
       m_reader(*m_source, m_factor) {
 }
 
+std::string followsText(const std::string& source, const live::FactorAgreement& agreement) {
+  return fmt::format("The feed follows {}: {}.", source, live::textOf(agreement));
+}
+
 std::string FactorFeed::text() const {
-  return fmt::format("The feed follows {}: {}.", m_source->name(), live::textOf(m_agreement));
+  return followsText(m_source->name(), m_agreement);
 }
 
 void FactorFeed::follow(streaming::FeedOrder& order, bool goesOn, base::Instant now) {

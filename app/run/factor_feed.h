@@ -22,6 +22,10 @@ namespace rivulet::run {
 [[nodiscard]] std::optional<live::FactorAgreement> agreedFactor(
     const streaming::RunSettings& settings);
 
+/// "The feed follows tcp:4002: factor 0.2 to 1.2; without one for 1 s the axes are held."
+[[nodiscard]] std::string followsText(const std::string& source,
+                                      const live::FactorAgreement& agreement);
+
 class FactorFeed {
  public:
   /// Listens from now on.
@@ -29,7 +33,7 @@ class FactorFeed {
   [[nodiscard]] static base::Result<std::unique_ptr<FactorFeed>> open(
       const streaming::RunSettings& settings);
 
-  /// "The feed follows tcp:4002: factor 0.2 to 1.2; without one for 1 s the axes are held."
+  /// See `followsText`.
   [[nodiscard]] std::string text() const;
   /// Reads what has come, and completes the order with it.
   /// @param goesOn  while the source holds, the operator goes on without it: see `live::FeedFactor`

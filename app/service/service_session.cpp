@@ -75,9 +75,7 @@ std::string refusalText(permission::Refusal refusal) {
 /// Adaptive feed; empty: none.
 std::string factorText(const streaming::RunSettings& settings) {
   const auto agreed = run::agreedFactor(settings);
-  return agreed ? fmt::format("The feed follows {}: {}. ", settings.factor.address,
-                              live::textOf(*agreed))
-                : std::string();
+  return agreed ? run::followsText(settings.factor.address, *agreed) + ' ' : std::string();
 }
 
 std::string blockedText(const streaming::Blocked& blocked) {
