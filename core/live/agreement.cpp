@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/ranges.h"
 #include "base/packing.h"
+#include "base/ranges.h"
 #include "base/units.h"
 #include "live/error.h"
 

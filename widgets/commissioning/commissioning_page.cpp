@@ -39,7 +39,12 @@ CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QW
       m_cell(whole(0, kCellMost, {.name = QT_TR_NOOP("First R-parameter of the test")})),
       m_lengthMm(say(new NumberField(this), {.name = QT_TR_NOOP("Way of the axis, mm")})),
       m_feed(say(new NumberField(this), {.name = QT_TR_NOOP("Feed of the axis, mm/min")})),
-      m_liftMm(say(new NumberField(this), {.name = QT_TR_NOOP("Lift of the tool, mm")})),
+      m_liftMm(say(new NumberField(this),
+                   {.tip = QT_TR_NOOP(
+                        "While the axis is held, the tool is lifted along Z by so much and comes "
+                        "back; 0: it is not lifted. A run may lift the tool only after that. Not "
+                        "with Z as the axis."),
+                    .name = QT_TR_NOOP("Lift of the tool, mm")})),
       m_program(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Test program")})),
       m_blockedLabel(new StatusLabel(this, StatusLabel::Elided{2})),
       m_checks(new QVBoxLayout) {
@@ -87,9 +92,6 @@ QWidget* CommissioningPage::moveRow() {
   m_feed->setValue(kMove.feedMmPerMin);
   m_liftMm->setRange(0.0, templates::kLiftMmMax);
   m_liftMm->setDecimals(1);
-  m_liftMm->setToolTip(
-      tr("While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is "
-         "not lifted. A run may lift the tool only after that. Not with Z as the axis."));
   auto* row = new QWidget(this);
   row->setLayout(inRow({m_axis,
                         label({.text = QT_TR_NOOP("by, mm"), .isMuted = true}),
