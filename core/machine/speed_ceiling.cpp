@@ -20,6 +20,8 @@ constexpr double kAccurateShare = 0.1;
 constexpr int kCeilingHalvings = 10;
 /// Steps of the search for the moment at which the climb must end.
 constexpr int kSearchSteps = 60;
+/// Places of a section that ends in a stop at which a motion is compared with the ceiling.
+constexpr int kLooksBeforeStop = 8;
 /// A motion this close to the ceiling is on it, where the jerk limit is that of a usual axis; where
 /// it is weak, so is what counts as rounding.
 constexpr double kOnCeilingMmPerS = 1e-6;
@@ -370,6 +372,16 @@ SpeedCeiling::Meeting SpeedCeiling::meet(std::size_t index, double mm,
     const double jerk = falls ? -given.limits.jerkMmPerS3 : given.limits.jerkMmPerS3;
     const ConstantJerk motion = withJerk(state, jerk, leftMm);
     const double endS = motion.lengthMm() > leftMm ? motion.secondsAt(leftMm) : motion.durationS();
+    if (falls && jointAfter(index).speedMmPerS <= 0.0) {
+      // Both speeds vanish at a stop: a motion that is too fast before may seem to touch only
+      // there.
+      for (int look = 1; look < kLooksBeforeStop; ++look) {
+        const double atS = endS * look / kLooksBeforeStop;
+        const double aboveMmPerS = ceiling.stateAtMm(mm + motion.lengthMmAt(atS)).speedMmPerS;
+        meeting.marginMmPerS =
+            std::min(meeting.marginMmPerS, aboveMmPerS - motion.stateAt(atS).speedMmPerS);
+      }
+    }
     const double accurateS = std::sqrt(kRoundingMmPerS / given.limits.jerkMmPerS3);
     if (const auto touch =
             firstTouch(motion, {leftMm, endS}, ceiling, mm, steepnessNow, accurateS)) {
