@@ -76,7 +76,7 @@ std::vector<std::string> feedCellBlocks(const CellMap& cells) {
 }
 
 std::string feedLimitBlock(const CellMap& cells, int action, const std::string& condition,
-                           int percent) {
+                           const std::string& percent) {
   return fmt::format("ID={} WHENEVER ({}) AND ($R{}>{}) DO $R{}={}", action, condition,
                      cells.overrideActs, percent, cells.overrideActs, percent);
 }

@@ -30,8 +30,8 @@ namespace rivulet::templates {
 [[nodiscard]] std::vector<std::string> feedCellBlocks(const CellMap& cells);
 
 /// The block that lowers the override in force to a limit while a condition holds.
-/// @param condition  of a synchronized action  @param percent  the limit
+/// @param condition, percent  of a synchronized action: the latter is the limit
 [[nodiscard]] std::string feedLimitBlock(const CellMap& cells, int action,
-                                         const std::string& condition, int percent);
+                                         const std::string& condition, const std::string& percent);
 
 }  // namespace rivulet::templates

@@ -49,8 +49,9 @@ struct WindowProtocol {
   /// @param place  of the coordinate in the window, from 0
   [[nodiscard]] static double checkFactor(int place);
 
-  /// Method credit: path override, in percent, while nothing follows the window in motion.
-  static constexpr int kSlowPercent = 40;
+  /// Method credit: path override, in percent, that is left at the end of a window that nothing
+  /// follows. At its beginning it is 100: it falls with the blocks of that window.
+  static constexpr int kSlowestPercent = 10;
 
   /// Method file: the answer of a subprogram in the cell `Asked`. @param window  from 1
   [[nodiscard]] static constexpr long long fileAnswer(long long window, bool isLast) {

@@ -14,6 +14,7 @@
 #include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 #include "trace/analysis/pauses.h"
 
@@ -115,6 +116,57 @@ class World final : public streaming::RunSink, public streaming::RunOrders {
   std::function<void(const streaming::LiveUpdate&)> onUpdate;
 };
 
+/// How often the axes slowed down by a twentieth and went on, and the largest change of speed and
+/// of acceleration from one interpolation cycle to the next, as a share of what the axis allows.
+struct Slowing {
+  std::size_t count = 0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+};
+
+/// @param axis  the only one that moves
+Slowing slowingOf(const trace::ControlTrace& trace, const machine::AxisLimits& axis,
+                  double cycleS) {
+  constexpr double kShare = 0.05;
+  Slowing result;
+  double speed = 0.0;
+  double acceleration = 0.0;
+  double extreme = 0.0;
+  bool slows = false;
+  for (const trace::ControlSample& sample : trace.samples) {
+    const double now = (sample.feedMmPerS - speed) / cycleS;
+    result.acceleration =
+        std::max(result.acceleration, std::abs(now) / axis.accelerationMmPerS2Max);
+    result.jerk =
+        std::max(result.jerk, std::abs(now - acceleration) / (axis.jerkMmPerS3Max * cycleS));
+    speed = sample.feedMmPerS;
+    acceleration = now;
+    extreme = slows ? std::min(extreme, speed) : std::max(extreme, speed);
+    const bool turns = slows ? speed > (1.0 + kShare) * extreme : speed < (1.0 - kShare) * extreme;
+    if (turns) {
+      result.count += slows ? 1 : 0;
+      slows = !slows;
+      extreme = speed;
+    }
+  }
+  return result;
+}
+
+/// Points along X, from where the machine stands, at distances as `contour` has them.
+std::shared_ptr<const gcode::Program> straightWay(const machine::MachineConfig& machine,
+                                                  base::Random& random) {
+  std::vector<base::Vec3> points;
+  base::Vec3 place;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    place.set(axis, machine.axes[axis].startMm);
+  }
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    place.x += 0.15 * (1.0 + random.exponential());
+    points.push_back(place);
+  }
+  return streaming::programOf(points);
+}
+
 std::size_t blocksMoved(const machine::Machine& machine) {
   return static_cast<std::size_t>(
       std::count_if(machine.trace().blocks.begin(), machine.trace().blocks.end(),
@@ -185,6 +237,46 @@ class TestCredit : public QObject {
       QVERIFY(feed > 1600.0 ? slowing.pauses < standing.pauses : slowing.pauses == 0);
       QVERIFY(standing.pauses == 0 || slowing.standingS < 0.4 * standing.standingS);
     }
+  }
+
+  /// Late windows leave no mark of a dwell: along a straight line, whose limits are those of X,
+  /// speed and acceleration change in no interpolation cycle by more than these allow. With BRISK,
+  /// which has no limit of jerk, they do. RIVULET_STARVATIONS is how often the axes slow down at
+  /// least.
+  void starvationIsSmooth_data() {
+    QTest::addColumn<bool>("isSoft");
+    QTest::addRow("SOFT") << true;
+    QTest::addRow("BRISK") << false;
+  }
+  void starvationIsSmooth() {
+    QFETCH(bool, isSoft);
+    const auto wanted = static_cast<std::size_t>(tests::setting("RIVULET_STARVATIONS", 1000));
+    machine::MachineConfig machine = *machine::loadPreset("dmu75");
+    machine.resetDynamics = isSoft ? machine::Dynamics::Soft : machine::Dynamics::Brisk;
+    machine.blocksPerCycleMax = 0.0;
+    base::Random random(1);
+    Slowing sum;
+    std::size_t pauses = 0;
+    std::uint64_t seed = 0;
+    while (sum.count < wanted) {
+      const double feed = 700.0 + 2300.0 * random.uniform();
+      const RunReport report = streaming::simulate(
+          {machine, straightWay(machine, random), settings(MethodKind::Credit, feed), ++seed});
+      QVERIFY2(report.isFaultless(), report.error.text().c_str());
+      const Slowing slowing = slowingOf(*report.controlTrace, machine.axes[0],
+                                        base::toSeconds(machine.interpolationCycle));
+      sum.count += slowing.count;
+      sum.acceleration = std::max(sum.acceleration, slowing.acceleration);
+      sum.jerk = std::max(sum.jerk, slowing.jerk);
+      pauses += trace::findPauses(*report.controlTrace).size();
+      QVERIFY(seed < 10 * wanted + 10);
+    }
+    qInfo(
+        "%zu slowed down in %d runs, %zu of them to a standstill: acceleration %.3f, jerk %.3f of "
+        "what X allows",
+        sum.count, static_cast<int>(seed), pauses, sum.acceleration, sum.jerk);
+    QVERIFY(sum.acceleration <= 1.0 + 1e-6);
+    QCOMPARE(sum.jerk <= 1.0 + 1e-6, isSoft);
   }
 
   /// A control that shows new values only after a STOPRE, or whose jumps stop: never started

@@ -222,10 +222,10 @@ void TestLint::brokenTemplateIsCaught_data() {
       LintRule::SignalAhead, "R3=RIV_L R5=2");
   row("credit: motion from the cells", credit, "RIV_MOVE:", "X=RIV_C[0]", "X=R[RIV_B+3]",
       LintRule::MotionFromCells, "X=R[RIV_B+3]");
-  row("credit: slow is faster", credit, "ID=3", "DO $R11=40", "DO $R11=240", LintRule::FeedRaised,
+  row("credit: slow is faster", credit, "ID=3", "DO $R11=10", "DO $R11=240", LintRule::FeedRaised,
       "$R11=240");
-  row("credit: slow whatever is wanted", credit, "ID=3", " AND ($R11>40)", "", LintRule::FeedRaised,
-      "DO $R11=40");
+  row("credit: slow whatever is wanted", credit, "ID=3",
+      " AND ($R11>10+90*ABS($AC_IPO_BUF-$AC_PATHN)/7)", "", LintRule::FeedRaised, "DO $R11=10");
   row("credit: a hold may be overtaken", credit, "ID=5", "$AC_OVR=$R11", "$AC_OVR=$R11+0.1",
       LintRule::FeedRaised, "");
   row("window: what is no override is obeyed", window, "ID=2", " AND ($R10<=200)", "",

@@ -15,7 +15,7 @@ base::Duration CreditMethod::takenTime() const {
 
 base::Duration CreditMethod::takenTimeMax() const {
   const bool slows = m_plan.settings().parameters.slowDown;
-  return slows ? takenTime() * 100 / templates::WindowProtocol::kSlowPercent : takenTime();
+  return slows ? takenTime() * 100 / templates::WindowProtocol::kSlowestPercent : takenTime();
 }
 
 std::unique_ptr<Method> CreditMethodType::make(MethodSetup setup) const {

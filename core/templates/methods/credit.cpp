@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <fmt/format.h>
+
 #include "templates/feed_cell.h"
 #include "templates/methods/subprogram.h"
 
@@ -14,6 +16,13 @@ constexpr int kAskingPassesMax = 100'000;
 /// Passes in which no block was left to execute, before the program stops to look. The stop also
 /// makes the control execute a block that it holds back until it knows the next one.
 constexpr int kDryPassesMax = 25;
+
+/// By what is left of a window, in blocks, of as many as it has at most. A control that does not
+/// count the block in motion slows down further, and no control below the least.
+std::string slowPercent(int points) {
+  constexpr int kLeast = WindowProtocol::kSlowestPercent;
+  return fmt::format("{}+{}*ABS($AC_IPO_BUF-$AC_PATHN)/{}", kLeast, 100 - kLeast, points);
+}
 
 }  // namespace
 
@@ -36,10 +45,10 @@ void CreditTemplate::writeNotes(Listing& out, const CreditSettings& settings) co
 void CreditTemplate::writeSlowDown(Listing& out, const CreditSettings& settings,
                                    const CellMap& cells) const {
   if (settings.slowDown) {
-    out.line("; Slower while nothing is left after the window in motion.");
+    out.line("; Slower while nothing is left after the window in motion, the less is left of it.");
     out.line("{}", feedLimitBlock(cells, ActionNumber::kSlow,
                                   fmt::format("($R{}-$R{})<2", cells.latched, cells.executed),
-                                  WindowProtocol::kSlowPercent));
+                                  slowPercent(cells.pointsPerLoop)));
   }
 }
 
