@@ -15,6 +15,7 @@
 #include "gcode/feeds.h"
 #include "opcua/security.h"
 #include "papers/catalogue.h"
+#include "platform/command_line.h"
 #include "platform/log.h"
 #include "platform/output.h"
 #include "platform/process.h"
@@ -1186,11 +1187,7 @@ int main(int argc, char** argv) {
 #endif
 
   try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend());
-    if (!reversed.empty()) {
-      reversed.pop_back();  // the name of the program
-    }
-    app.parse(std::move(reversed));
+    rivulet::platform::parse(app, words);
   } catch (const CLI::ParseError& error) {
     // Help and version are successes; everything else is wrong usage.
     std::ostringstream help;

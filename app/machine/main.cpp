@@ -20,9 +20,11 @@
 #include "machine/kept_state.h"
 #include "machine/machine.h"
 #include "machine/user.h"
+#include "platform/command_line.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "platform/output.h"
+#include "platform/process.h"
 #include "platform/serving/serving.h"
 #include "trust/password.h"
 
@@ -121,10 +123,11 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{
       "A virtual CNC machine with an OPC UA server like that of a SINUMERIK. Prints its endpoint "
-      "when it is ready and runs until it is interrupted."};
+      "when it is ready and runs until it is interrupted.",
+      "rivulet-machine"};
   addOptions(app, arguments);
   try {
-    app.parse(argc, argv);
+    rivulet::platform::parse(app, rivulet::platform::arguments(argc, argv));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
   }

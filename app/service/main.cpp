@@ -21,9 +21,11 @@
 #include "journal/line_file.h"
 #include "opcua/control_map.h"
 #include "opcua/error.h"
+#include "platform/command_line.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "platform/output.h"
+#include "platform/process.h"
 #include "platform/serving/serving.h"
 #include "platform/user_folders.h"
 #include "preparation/user_file.h"
@@ -304,13 +306,14 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{
       "Streams programs to one machine without a window, controlled over OPC UA. See "
-      "docs/service.md."};
+      "docs/service.md.",
+      "rivulet-service"};
   app.set_version_flag("--version", "rivulet-service " RIVULET_VERSION);
   app.require_subcommand(1);
   addRun(app, arguments);
   addAsk(app, arguments);
   try {
-    app.parse(argc, argv);
+    rivulet::platform::parse(app, rivulet::platform::arguments(argc, argv));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
   }

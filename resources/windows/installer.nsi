@@ -1,8 +1,8 @@
 ; SPDX-FileCopyrightText: 2026 The Rivulet authors
 ; SPDX-License-Identifier: GPL-3.0-or-later
 
-; Installs the command line for one user, without an administrator, and finds it by its name from then on. Made by
-; scripts/windows: makensis -DVERSION=… -DPROGRAM=… -DOUTPUT=…
+; Installs the programs for one user, without an administrator; they are found by their names from then on. Made by
+; scripts/windows: makensis -DVERSION=… -DPROGRAMS=FOLDER -DLICENSE=… -DOUTPUT=…
 
 Unicode true
 Target amd64-unicode
@@ -100,7 +100,7 @@ FunctionEnd
 
 Section
   SetOutPath "$INSTDIR"
-  File "${PROGRAM}"
+  File "${PROGRAMS}/*.exe"
   File "/oname=LICENSE.txt" "${LICENSE}"
   WriteUninstaller "$INSTDIR\uninstall.exe"
   WriteRegStr HKCU "${ENTRY}" DisplayName "Rivulet"
@@ -116,7 +116,7 @@ SectionEnd
 
 ; What a user has recorded, and the settings, stay.
 Section Uninstall
-  Delete "$INSTDIR\rivulet-cli.exe"
+  Delete "$INSTDIR\rivulet-*.exe"
   Delete "$INSTDIR\LICENSE.txt"
   Delete "$INSTDIR\uninstall.exe"
   RMDir "$INSTDIR"
