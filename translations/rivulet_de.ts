@@ -10424,6 +10424,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Continue goes on without it</source>
         <translation>Weiter fährt ohne sie fort</translation>
     </message>
+    <message>
+        <source>stands in %1</source>
+        <translation>steht in %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

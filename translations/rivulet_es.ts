@@ -10424,6 +10424,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Continue goes on without it</source>
         <translation>Continuar sigue sin ella</translation>
     </message>
+    <message>
+        <source>stands in %1</source>
+        <translation>parada en %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

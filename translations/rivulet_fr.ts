@@ -8404,11 +8404,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>packed: one R-parameter each</source>
-        <translation>groupés : un paramètre R chacun</translation>
+        <translation>groupés&#xa0;: un paramètre R chacun</translation>
     </message>
     <message>
         <source>All axes of a point share one R-parameter, in steps of 0.001 mm from the first point of its window: a third of the accesses, so faster where the points are dense. A control that calculates otherwise refuses the first window; nothing moves then.</source>
-        <translation>Tous les axes d’un point partagent un paramètre R, par pas de 0,001 mm à partir du premier point de sa fenêtre : un tiers des accès, donc plus rapide là où les points sont denses. Une commande qui calcule autrement refuse la première fenêtre ; rien ne bouge alors.</translation>
+        <translation>Tous les axes d’un point partagent un paramètre R, par pas de 0,001 mm à partir du premier point de sa fenêtre&#xa0;: un tiers des accès, donc plus rapide là où les points sont denses. Une commande qui calcule autrement refuse la première fenêtre&#xa0;; rien ne bouge alors.</translation>
     </message>
     <message>
         <source>Points</source>
@@ -10423,6 +10423,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Continue goes on without it</source>
         <translation>Continuer reprend sans elle</translation>
+    </message>
+    <message>
+        <source>stands in %1</source>
+        <translation>arrêt en %1</translation>
     </message>
 </context>
 <context>

@@ -1039,32 +1039,52 @@ PreflightItem Preflight::methodItem() const {
   return item;
 }
 
-PreflightItem Preflight::stopItem() const {
-  const streaming::RunSettings settings = m_document.runSettings();
-  if (base::hasWindows(settings.parameters.method) &&
-      m_document.feedProof() == streaming::FeedProof::Proved) {
-    return {Status::Plain, tr("Stop"), feedCellText(), {}, 0, true};
-  }
-  return runCellItem(settings);
+bool Preflight::standsAtOnce(const streaming::RunSettings& settings) const {
+  return base::hasWindows(settings.parameters.method) &&
+         m_document.feedProof() == streaming::FeedProof::Proved;
 }
 
-QString Preflight::feedCellText() const {
+PreflightItem Preflight::stopItem() const {
+  const streaming::RunSettings settings = m_document.runSettings();
+  if (!standsAtOnce(settings)) {
+    return runCellItem(settings);
+  }
+  const std::optional<double> seconds = feedCellSeconds();
+  return {Status::Plain,
+          tr("Stop"),
+          seconds ? tr("The axes stand on the path within %1; threads and tapping at their end.")
+                        .arg(widgets::secondsText(*seconds, 1))
+                  : tr("The axes stand at once, on the path. How long they brake is not known."),
+          {},
+          0,
+          true};
+}
+
+std::optional<double> Preflight::stopSeconds() const {
+  const streaming::RunSettings settings = m_document.runSettings();
+  if (standsAtOnce(settings)) {
+    return feedCellSeconds();
+  }
+  if (m_document.live()) {
+    return settings.windowSMax;
+  }
+  return streaming::stopBound(m_document.points(), m_machine.positionNowMm(), settings).seconds;
+}
+
+std::optional<double> Preflight::feedCellSeconds() const {
   const streaming::StreamSettings& settings = m_document.settings();
-  const feasibility::OperatingPoint& point = m_document.findings().operatingPoint;
   const auto& machine = m_document.jobMachine();
   if (!machine) {
-    return tr("The axes stand at once, on the path. How long they brake is not known.");
+    return std::nullopt;
   }
   const auto& live = m_document.live();
   const double feedMmPerS =
       live ? base::mmPerSFromMmPerMin(live->setup.agreement.feedMmPerMinMax)
            : (settings.usesProgramFeeds() ? m_document.feedMmPerSMax() : settings.feedMmPerS);
-  return tr("The axes stand on the path within %1; threads and tapping at their end.")
-      .arg(widgets::secondsText(
-          base::toSeconds(run::standsWithin(*machine, point.turn(),
-                                            m_document.findings().access.timePerNode(point.turn()),
-                                            feedMmPerS)),
-          1));
+  return base::toSeconds(run::standsWithin(
+      *machine, m_document.findings().operatingPoint.turn(),
+      m_document.findings().access.timePerNode(m_document.findings().operatingPoint.turn()),
+      feedMmPerS));
 }
 
 /// A stop acts where the program looks at its run cell, or at the end of its loop.

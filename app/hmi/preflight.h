@@ -87,6 +87,9 @@ class Preflight final : public QObject {
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
   [[nodiscard]] widgets::FirstMove firstMove() const;
+  /// How soon the axes stand after Stop at worst, s: where the feed cell is not proved, when the
+  /// control has executed what it has. Nothing: not known.
+  [[nodiscard]] std::optional<double> stopSeconds() const;
   void remedy(int remedyId);
   /// The operator has looked: nothing is in the way of the first move.
   void confirmFirstMove();
@@ -167,7 +170,9 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem methodItem() const;
   /// How long the machine may still move after Stop.
   [[nodiscard]] widgets::PreflightItem stopItem() const;
-  [[nodiscard]] QString feedCellText() const;
+  [[nodiscard]] bool standsAtOnce(const streaming::RunSettings& settings) const;
+  /// Nothing: how long the axes brake is not known.
+  [[nodiscard]] std::optional<double> feedCellSeconds() const;
   [[nodiscard]] widgets::PreflightItem runCellItem(const streaming::RunSettings& settings) const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;
   [[nodiscard]] widgets::PreflightItem releaseItem() const;

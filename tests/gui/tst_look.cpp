@@ -31,6 +31,8 @@
 #include "widgets/connection/machine_button.h"
 #include "widgets/connection/rights_page.h"
 #include "widgets/connection/trust_sheet.h"
+#include "widgets/program/path_canvas.h"
+#include "widgets/program/program_page.h"
 #include "widgets/setup/set_up_page.h"
 #include "widgets/trace/trace_page.h"
 
@@ -43,6 +45,7 @@ namespace {
 using rivulet::tests::kRunMs;
 using rivulet::tests::kSoonMs;
 constexpr double kInteractivePace = 8.0;
+constexpr int kWholePathPx = 768;  ///< windows of this height show it whole
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 const QString kPseudo = QStringLiteral("pseudo");
@@ -166,6 +169,13 @@ class TestLook : public QObject {
                              .arg(widgets::themeName(look.theme), look.language, scene);
     if (m_window->size() != look.size) {
       m_faults.append(name + QStringLiteral(": the window takes another size"));
+    }
+    // The path is what an operator looks at: none of it lies below the edge of its page.
+    for (const QWidget* canvas : m_window->programPage()->findChildren<widgets::PathCanvas*>()) {
+      if (canvas->isVisible() && look.size.height() >= kWholePathPx &&
+          canvas->visibleRegion().boundingRect().size() != canvas->size()) {
+        m_faults.append(name + QStringLiteral(": the path is cut"));
+      }
     }
     for (const QString& fault : tests::lookFaults(*m_window, picture)) {
       m_faults.append(name + QStringLiteral(": ") + fault);

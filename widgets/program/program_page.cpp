@@ -8,6 +8,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 
+#include "widgets/common/folding_columns.h"
 #include "widgets/live/live_panel.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_panel.h"
@@ -51,7 +52,7 @@ ProgramPage::ProgramPage(QWidget* parent)
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
           [this] { m_halves->setProperty(kMoved, true); });
-  m_all->addWidget(m_steps);
+  m_all->addWidget(makeScrolling(m_steps));  // else the path would need their height, too
   m_all->addWidget(m_halves);
   auto* layout = inColumn({m_reading, {m_all, 1}}, this, QMargins(0, 0, 0, 0));
   layout->setSpacing(0);
@@ -82,7 +83,7 @@ void ProgramPage::setProgram(const std::shared_ptr<const overview::ProgramView>&
 }
 
 void ProgramPage::showSteps(bool areShown) {
-  m_all->setCurrentWidget(areShown ? static_cast<QWidget*>(m_steps) : m_halves);
+  m_all->setCurrentIndex(areShown ? 0 : m_all->indexOf(m_halves));
 }
 
 void ProgramPage::replaceProgram(const std::shared_ptr<const overview::ProgramView>& view) {

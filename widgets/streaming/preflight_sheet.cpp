@@ -19,6 +19,7 @@ namespace {
 constexpr int kFold = -1;  ///< among the remedies, which are others' own
 constexpr int kPictureWidthPxMin = 300;
 constexpr int kPictureWidthPxMax = 640;
+constexpr int kTextsWidthPx = 600;    ///< narrower, they would be more lines than there is room for
 constexpr int kBesidePicturePx = 48;  // margins and gap
 
 /// The path, quiet: the way to it is what is looked at.
@@ -79,8 +80,9 @@ void PreflightSheet::showPicture() {
 }
 
 void PreflightSheet::placePicture() {
-  const int widthPx = std::min({width() * 2 / 5, kPictureWidthPxMax,
-                                width() - m_rows->minimumSize().width() - kBesidePicturePx});
+  const int textsPx = std::max(m_rows->minimumSize().width(), kTextsWidthPx);
+  const int widthPx =
+      std::min({width() * 2 / 5, kPictureWidthPxMax, width() - textsPx - kBesidePicturePx});
   m_picture->setVisible(m_firstMove.program && widthPx >= kPictureWidthPxMin);
   m_picture->setFixedWidth(std::max(widthPx, kPictureWidthPxMin));
 }

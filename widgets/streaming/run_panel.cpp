@@ -20,6 +20,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/live/live_text.h"
 #include "widgets/streaming/override_control.h"
+#include "widgets/streaming/stop_button.h"
 
 namespace rivulet::widgets {
 
@@ -117,6 +118,14 @@ RunPanel::RunPanel(QWidget* parent)
                  .icon = "stop",
                  .id = "end-here"})),
       m_override(new OverrideControl(m_right)),
+      m_stop(say(
+          new StopButton(m_left),
+          {.text = QT_TR_NOOP("Stop"),
+           .tip = QT_TR_NOOP("The axes stand at once if the program has a feed cell, else at the "
+                             "end of its window. Escape does the same, from anywhere in the "
+                             "window. It does not replace the machine's emergency stop."),
+           .icon = "stop",
+           .id = "stop"})),
       m_figures(new QWidget(this)),
       m_progress(new QProgressBar(m_figures)),
       m_title(say(new ElidedLabel(1, m_figures), {.isMuted = true})) {
@@ -131,6 +140,7 @@ RunPanel::RunPanel(QWidget* parent)
   m_rows->setColumnStretch(1, 1);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
+  connect(m_stop, &QPushButton::clicked, this, &RunPanel::requestStop);
   connect(m_start, &HoldButton::clicked, this, [this] {
     if (!m_starting.hasPassed && !isActive()) {
       Q_EMIT preflightRequested();
@@ -151,9 +161,12 @@ RunPanel::RunPanel(QWidget* parent)
   restyle();
 }
 
+std::array<QPushButton*, 6> RunPanel::buttons() const {
+  return {m_start, m_end, m_stop, m_hold, m_resume, m_lift};
+}
+
 void RunPanel::buildButtons() {
-  for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
-                              m_stop, m_hold, m_resume, m_lift}) {
+  for (QPushButton* button : buttons()) {
     button->setFixedHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));
   }
@@ -206,8 +219,7 @@ void RunPanel::arrange() {
   buttonFont.setPointSizeF(isNarrow ? 11.0 : 14.0);
   buttonFont.setBold(true);
   m_override->setNarrow(isNarrow);
-  for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
-                              m_stop, m_hold, m_resume, m_lift}) {
+  for (QPushButton* button : buttons()) {
     button->setFont(buttonFont);
     button->setIconSize(isNarrow ? QSize(16, 16) : QSize(24, 24));
     button->setMinimumWidth(isNarrow ? 0 : 130);
@@ -282,6 +294,7 @@ void RunPanel::setProgram(std::size_t points) {
   m_update = {};
   m_runBegin = 0;
   m_stopState = StopState::None;
+  m_stopWithinS.reset();
   setTotal(points);
 }
 
@@ -341,6 +354,16 @@ void RunPanel::setOverrideAllowed(bool isAllowed, double maxPercent) {
   m_override->setMax(maxPercent);
 }
 
+void RunPanel::setStopWithin(const std::optional<double>& seconds) {
+  m_stopWithinS = seconds;
+  showStopNote();
+}
+
+void RunPanel::showStopNote() {
+  m_stop->setNote(m_stopWithinS ? tr("stands in %1").arg(secondsText(*m_stopWithinS, 1))
+                                : QString());
+}
+
 bool RunPanel::hasFeedCell() const {
   return m_update.feed && isActive() && m_update.state != RunState::Armed;
 }
@@ -352,8 +375,8 @@ void RunPanel::setWrongMotion(bool hasWrongMotion) {
 
 void RunPanel::restyle() {
   const ThemeColors& colors = themeColors(palette());
-  for (const auto& [button, fill] :
-       {std::pair(m_stop, colors.stop), std::pair<QPushButton*, QColor>(m_start, colors.start)}) {
+  for (const auto& [button, fill] : {std::pair<QPushButton*, QColor>(m_stop, colors.stop),
+                                     std::pair<QPushButton*, QColor>(m_start, colors.start)}) {
     fillButton(*button, fill);
   }
   m_stop->setIcon(themedIcon(QStringLiteral("stop"), colors.onFill));
@@ -474,6 +497,7 @@ QString RunPanel::stopText() const {
 
 void RunPanel::showAll() {
   showButtons();
+  showStopNote();
   showState();
   showReason();
   showFigures();

@@ -31,6 +31,7 @@ class ElidedLabel;
 class HoldButton;
 class OverrideControl;
 class StatusLabel;
+class StopButton;
 
 /// "Running", "Holding", … in the language of the operator.
 [[nodiscard]] QString runStateText(streaming::RunState state);
@@ -77,6 +78,8 @@ class RunPanel final : public Page {
   void setMayMove(bool mayMove);
   /// Who is there may set the path override. @param maxPercent  the highest
   void setOverrideAllowed(bool isAllowed, double maxPercent);
+  /// How soon the axes stand after Stop at worst, s; nothing: not known.
+  void setStopWithin(const std::optional<double>& seconds);
   /// By how much the tool can be lifted while the run is held, mm; 0: not at all.
   void setLift(double mm);
   /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
@@ -112,6 +115,7 @@ class RunPanel final : public Page {
   /// From Sent on, they are counters.
   enum Figure { Line, Left, Margin, Buffer, Sent, Accepted, Executed, FigureCount };
 
+  [[nodiscard]] std::array<QPushButton*, 6> buttons() const;
   void buildButtons();
   void buildFigures();
   void arrange();
@@ -119,6 +123,7 @@ class RunPanel final : public Page {
 
   void showAll();
   void showButtons();
+  void showStopNote();
   void showState();
   void showReason();
   void showFigures();
@@ -161,6 +166,7 @@ class RunPanel final : public Page {
   std::optional<JobProgress> m_job;
   bool m_hasWrongMotion = false;
   StopState m_stopState = StopState::None;
+  std::optional<double> m_stopWithinS;
   bool m_mayMove = false;
   std::size_t m_runBegin{0};
   /// Of the run in progress.
@@ -193,15 +199,7 @@ class RunPanel final : public Page {
   HoldButton* m_end;
   OverrideControl* m_override;
   QPushButton* m_lift = button({.id = "lift"});
-  QPushButton* m_stop = button(
-      {.text = QT_TR_NOOP("Stop"),
-       .tip =
-           QT_TR_NOOP("The axes stand at once if the program has a feed cell, else at the end of "
-                      "its window. Escape does the same, from anywhere in the window. It does not "
-                      "replace the machine's emergency stop."),
-       .icon = "stop",
-       .id = "stop"},
-      &RunPanel::requestStop);
+  StopButton* m_stop;
   QPushButton* m_hold = button({.id = "hold"});
   QPushButton* m_resume = button({.text = QT_TR_NOOP("Resume …"), .icon = "resume", .id = "resume"},
                                  &RunPanel::resumeRequested);

@@ -481,6 +481,9 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
                    [panel, runs] { panel->setRunBegin(runs->runBegin()); });
   QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
     panel->setPreflightPassed(preflight->hasPassed() && !preflight->isForResume());
+    if (preflight->isOpen()) {
+      panel->setStopWithin(preflight->stopSeconds());
+    }
   });
   QObject::connect(document, &Document::programLoaded, panel,
                    [panel, document] { panel->setProgram(document->points().size()); });
