@@ -19,7 +19,7 @@ namespace {
 constexpr int kFold = -1;  ///< among the remedies, which are others' own
 constexpr int kPictureWidthPxMin = 300;
 constexpr int kPictureWidthPxMax = 640;
-constexpr int kTextsWidthPx = 600;    ///< narrower, they would be more lines than there is room for
+constexpr int kTextsWidthPx = 760;    ///< narrower, they would be more lines than there is room for
 constexpr int kBesidePicturePx = 48;  // margins and gap
 
 /// The path, quiet: the way to it is what is looked at.
