@@ -1594,6 +1594,10 @@
         <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
         <translation>Der Weg des Tests dauert mit seinem Vorschub 2 bis 30 s, damit er unterwegs angehalten werden kann. Andere Länge oder anderen Vorschub wählen.</translation>
     </message>
+    <message>
+        <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
+        <translation>Das ist kein Trace, sondern die Absage eines MTConnect-Agenten. Ihn nach /sample fragen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3858,6 +3862,50 @@
     <message>
         <source>No date tells what comes first in it: day/month is assumed.</source>
         <translation>Kein Datum zeigt, was darin zuerst steht: Tag/Monat wird angenommen.</translation>
+    </message>
+    <message>
+        <source>An MTConnect agent reports a value when it changes: in gaps the last value is held; otherwise straight lines are assumed between values.</source>
+        <translation>Ein MTConnect-Agent meldet einen Wert, wenn er sich ändert: In Lücken gilt der letzte Wert weiter; sonst werden zwischen den Werten gerade Linien angenommen.</translation>
+    </message>
+    <message>
+        <source>All positions are known from %1 s on: what comes before is not analysed.</source>
+        <translation>Alle Positionen sind ab %1 s bekannt: Was davor liegt, wird nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Values with the time of a later value of the same item, which counts instead: %1.</source>
+        <translation>Werte mit der Zeit eines späteren Werts desselben Datenpunkts, der stattdessen gilt: %1.</translation>
+    </message>
+    <message>
+        <source>Observations that are tables or sets of values and were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Beobachtungen, die Tabellen oder Mengen von Werten sind und ausgelassen wurden: %1, die erste von „%2“.</translation>
+    </message>
+    <message>
+        <source>Series of values without a sample rate that were left out, because their times are not known: %1, the first of &quot;%2&quot;.</source>
+        <translation>Wertereihen ohne Abtastrate, die ausgelassen wurden, weil ihre Zeiten nicht bekannt sind: %1, die erste von „%2“.</translation>
+    </message>
+    <message>
+        <source>Observations without a time or a number that can be read and that were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Beobachtungen ohne lesbare Zeit oder Zahl, die ausgelassen wurden: %1, die erste von „%2“.</translation>
+    </message>
+    <message>
+        <source>Items without any value that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Datenpunkte ganz ohne Werte, die ausgelassen wurden: %1, der erste „%2“.</translation>
+    </message>
+    <message>
+        <source>Items that mean the same as another one, which is analysed instead: %1.</source>
+        <translation>Datenpunkte, die dasselbe bedeuten wie ein anderer, der stattdessen ausgewertet wird: %1.</translation>
+    </message>
+    <message>
+        <source>The unit &quot;%2&quot; of the item &quot;%1&quot; is not known: the item is not analysed.</source>
+        <translation>Die Einheit „%2“ des Datenpunkts „%1“ ist nicht bekannt: Er wird nicht ausgewertet.</translation>
+    </message>
+    <message>
+        <source>States and messages of the machine that are too many and were left out: %1.</source>
+        <translation>Zustände und Meldungen der Maschine, die zu viele sind und ausgelassen wurden: %1.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent refused a part: %1.</source>
+        <translation>Der MTConnect-Agent hat einen Teil abgelehnt: %1.</translation>
     </message>
 </context>
 <context>

@@ -1594,6 +1594,10 @@
         <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
         <translation>El recorrido de la prueba dura de 2 a 30 s con su avance, para poder detenerlo a mitad de camino. Elija otra longitud u otro avance.</translation>
     </message>
+    <message>
+        <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
+        <translation>Esto no es una traza, sino el rechazo de un agente MTConnect. Pedirle /sample.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3858,6 +3862,50 @@
     <message>
         <source>No date tells what comes first in it: day/month is assumed.</source>
         <translation>Ninguna fecha indica qué va primero: se supone día/mes.</translation>
+    </message>
+    <message>
+        <source>An MTConnect agent reports a value when it changes: in gaps the last value is held; otherwise straight lines are assumed between values.</source>
+        <translation>Un agente MTConnect comunica un valor cuando cambia: en los huecos se mantiene el último valor; si no, se suponen líneas rectas entre los valores.</translation>
+    </message>
+    <message>
+        <source>All positions are known from %1 s on: what comes before is not analysed.</source>
+        <translation>Todas las posiciones se conocen a partir de %1 s: lo anterior no se analiza.</translation>
+    </message>
+    <message>
+        <source>Values with the time of a later value of the same item, which counts instead: %1.</source>
+        <translation>Valores con el instante de un valor posterior del mismo elemento, que cuenta en su lugar: %1.</translation>
+    </message>
+    <message>
+        <source>Observations that are tables or sets of values and were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Observaciones que son tablas o conjuntos de valores y que se han omitido: %1, la primera de «%2».</translation>
+    </message>
+    <message>
+        <source>Series of values without a sample rate that were left out, because their times are not known: %1, the first of &quot;%2&quot;.</source>
+        <translation>Series de valores sin frecuencia de muestreo, omitidas porque no se conocen sus instantes: %1, la primera de «%2».</translation>
+    </message>
+    <message>
+        <source>Observations without a time or a number that can be read and that were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Observaciones sin un instante o un número legible, que se han omitido: %1, la primera de «%2».</translation>
+    </message>
+    <message>
+        <source>Items without any value that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Elementos sin ningún valor, que se han omitido: %1, el primero «%2».</translation>
+    </message>
+    <message>
+        <source>Items that mean the same as another one, which is analysed instead: %1.</source>
+        <translation>Elementos que significan lo mismo que otro, que se analiza en su lugar: %1.</translation>
+    </message>
+    <message>
+        <source>The unit &quot;%2&quot; of the item &quot;%1&quot; is not known: the item is not analysed.</source>
+        <translation>No se conoce la unidad «%2» del elemento «%1»: el elemento no se analiza.</translation>
+    </message>
+    <message>
+        <source>States and messages of the machine that are too many and were left out: %1.</source>
+        <translation>Estados y mensajes de la máquina que son demasiados y se han omitido: %1.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent refused a part: %1.</source>
+        <translation>El agente MTConnect ha rechazado una parte: %1.</translation>
     </message>
 </context>
 <context>

@@ -1594,6 +1594,10 @@
         <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
         <translation>Le déplacement du test dure de 2 à 30 s à son avance, afin de pouvoir être arrêté en chemin. Choisissez une autre longueur ou une autre avance.</translation>
     </message>
+    <message>
+        <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
+        <translation>Ceci n’est pas une trace, mais le refus d’un agent MTConnect. Lui demander /sample.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3858,6 +3862,50 @@
     <message>
         <source>No date tells what comes first in it: day/month is assumed.</source>
         <translation>Aucune date ne dit ce qui vient en premier&#xa0;: jour/mois est supposé.</translation>
+    </message>
+    <message>
+        <source>An MTConnect agent reports a value when it changes: in gaps the last value is held; otherwise straight lines are assumed between values.</source>
+        <translation>Un agent MTConnect signale une valeur quand elle change : dans les lacunes, la dernière valeur est maintenue ; sinon, des droites sont supposées entre les valeurs.</translation>
+    </message>
+    <message>
+        <source>All positions are known from %1 s on: what comes before is not analysed.</source>
+        <translation>Toutes les positions sont connues à partir de %1 s : ce qui précède n’est pas analysé.</translation>
+    </message>
+    <message>
+        <source>Values with the time of a later value of the same item, which counts instead: %1.</source>
+        <translation>Valeurs ayant l’instant d’une valeur ultérieure du même élément, qui compte à leur place : %1.</translation>
+    </message>
+    <message>
+        <source>Observations that are tables or sets of values and were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Observations qui sont des tableaux ou des ensembles de valeurs et qui ont été omises : %1, la première de « %2 ».</translation>
+    </message>
+    <message>
+        <source>Series of values without a sample rate that were left out, because their times are not known: %1, the first of &quot;%2&quot;.</source>
+        <translation>Séries de valeurs sans fréquence d’échantillonnage, omises parce que leurs instants sont inconnus : %1, la première de « %2 ».</translation>
+    </message>
+    <message>
+        <source>Observations without a time or a number that can be read and that were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Observations sans instant ou sans nombre lisible, qui ont été omises : %1, la première de « %2 ».</translation>
+    </message>
+    <message>
+        <source>Items without any value that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Éléments sans aucune valeur, qui ont été omis : %1, le premier « %2 ».</translation>
+    </message>
+    <message>
+        <source>Items that mean the same as another one, which is analysed instead: %1.</source>
+        <translation>Éléments qui signifient la même chose qu’un autre, analysé à leur place : %1.</translation>
+    </message>
+    <message>
+        <source>The unit &quot;%2&quot; of the item &quot;%1&quot; is not known: the item is not analysed.</source>
+        <translation>L’unité « %2 » de l’élément « %1 » est inconnue : l’élément n’est pas analysé.</translation>
+    </message>
+    <message>
+        <source>States and messages of the machine that are too many and were left out: %1.</source>
+        <translation>États et messages de la machine trop nombreux, qui ont été omis : %1.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent refused a part: %1.</source>
+        <translation>L’agent MTConnect a refusé une partie : %1.</translation>
     </message>
 </context>
 <context>

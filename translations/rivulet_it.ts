@@ -1594,6 +1594,10 @@
         <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
         <translation>Il movimento della prova dura da 2 a 30 s al suo avanzamento, per poter essere fermato lungo il percorso. Scegliere un&apos;altra lunghezza o un altro avanzamento.</translation>
     </message>
+    <message>
+        <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
+        <translation>Questa non è una traccia, ma il rifiuto di un agente MTConnect. Chiedergli /sample.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3858,6 +3862,50 @@
     <message>
         <source>No date tells what comes first in it: day/month is assumed.</source>
         <translation>Nessuna data indica che cosa viene prima: si suppone giorno/mese.</translation>
+    </message>
+    <message>
+        <source>An MTConnect agent reports a value when it changes: in gaps the last value is held; otherwise straight lines are assumed between values.</source>
+        <translation>Un agente MTConnect segnala un valore quando cambia: nelle lacune resta valido l’ultimo valore; altrimenti tra i valori si assumono linee rette.</translation>
+    </message>
+    <message>
+        <source>All positions are known from %1 s on: what comes before is not analysed.</source>
+        <translation>Tutte le posizioni sono note da %1 s in poi: ciò che precede non viene analizzato.</translation>
+    </message>
+    <message>
+        <source>Values with the time of a later value of the same item, which counts instead: %1.</source>
+        <translation>Valori con il tempo di un valore successivo dello stesso elemento, che conta al loro posto: %1.</translation>
+    </message>
+    <message>
+        <source>Observations that are tables or sets of values and were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Osservazioni che sono tabelle o insiemi di valori e che sono state tralasciate: %1, la prima di «%2».</translation>
+    </message>
+    <message>
+        <source>Series of values without a sample rate that were left out, because their times are not known: %1, the first of &quot;%2&quot;.</source>
+        <translation>Serie di valori senza frequenza di campionamento, tralasciate perché i loro tempi non sono noti: %1, la prima di «%2».</translation>
+    </message>
+    <message>
+        <source>Observations without a time or a number that can be read and that were left out: %1, the first of &quot;%2&quot;.</source>
+        <translation>Osservazioni senza un tempo o un numero leggibile, che sono state tralasciate: %1, la prima di «%2».</translation>
+    </message>
+    <message>
+        <source>Items without any value that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Elementi senza alcun valore, che sono stati tralasciati: %1, il primo «%2».</translation>
+    </message>
+    <message>
+        <source>Items that mean the same as another one, which is analysed instead: %1.</source>
+        <translation>Elementi che significano lo stesso di un altro, che viene analizzato al loro posto: %1.</translation>
+    </message>
+    <message>
+        <source>The unit &quot;%2&quot; of the item &quot;%1&quot; is not known: the item is not analysed.</source>
+        <translation>L’unità «%2» dell’elemento «%1» non è nota: l’elemento non viene analizzato.</translation>
+    </message>
+    <message>
+        <source>States and messages of the machine that are too many and were left out: %1.</source>
+        <translation>Stati e messaggi della macchina che sono troppi e sono stati tralasciati: %1.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent refused a part: %1.</source>
+        <translation>L’agente MTConnect ha rifiutato una parte: %1.</translation>
     </message>
 </context>
 <context>

@@ -79,10 +79,6 @@ std::optional<SignalReader>& readerOf(Readers& readers, SignalRole role) {
   return readers[static_cast<std::size_t>(role)];
 }
 
-SignalRole ofAxis(SignalRole ofX, std::size_t axis) {
-  return static_cast<SignalRole>(static_cast<std::size_t>(ofX) + axis);
-}
-
 Readers readersOf(const ImportedTrace& imported) {
   Readers readers;
   for (const ColumnRole& column : imported.columns) {
@@ -104,7 +100,7 @@ Readers readersOf(const ImportedTrace& imported) {
 std::optional<base::Vec3> positionAt(Readers& readers, SignalRole ofX, base::Instant at) {
   base::Vec3 position{};
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (auto& reader = readerOf(readers, ofAxis(ofX, axis))) {
+    if (auto& reader = readerOf(readers, roleForAxis(ofX, axis))) {
       const double value = reader->at(at);
       if (!std::isfinite(value)) {
         return std::nullopt;
@@ -116,8 +112,8 @@ std::optional<base::Vec3> positionAt(Readers& readers, SignalRole ofX, base::Ins
 }
 
 bool hasAnyAxis(Readers& readers, SignalRole ofX) {
-  return readerOf(readers, ofX) || readerOf(readers, ofAxis(ofX, 1)) ||
-         readerOf(readers, ofAxis(ofX, 2));
+  return readerOf(readers, ofX) || readerOf(readers, roleForAxis(ofX, 1)) ||
+         readerOf(readers, roleForAxis(ofX, 2));
 }
 
 /// That of the first axis that is not much sparser than another one. @param ofX  of an axis that
@@ -126,7 +122,7 @@ const TimeBase& baseOf(const SignalTrace& trace, Readers& readers, SignalRole of
   std::vector<const TimeBase*> bases;
   std::size_t most = 0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (const auto& reader = readerOf(readers, ofAxis(ofX, axis))) {
+    if (const auto& reader = readerOf(readers, roleForAxis(ofX, axis))) {
       bases.push_back(&trace.timeBases[reader->timeBase()]);
       most = std::max(most, bases.back()->at.size());
     }
@@ -162,7 +158,7 @@ double speedAt(Readers& readers, base::Instant at) {
   }
   double squares = 0.0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (auto& reader = readerOf(readers, ofAxis(SignalRole::XSpeed, axis))) {
+    if (auto& reader = readerOf(readers, roleForAxis(SignalRole::XSpeed, axis))) {
       const double speed = reader->at(at);
       squares += speed * speed;
     }

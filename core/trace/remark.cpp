@@ -14,7 +14,7 @@ namespace rivulet::trace {
 namespace {
 
 /// In the order of the codes.
-constexpr std::array<std::pair<RemarkCode, const char*>, 26> kPatterns{{
+constexpr std::array<std::pair<RemarkCode, const char*>, 37> kPatterns{{
     {RemarkCode::DuplicateColumn,
      RIVULET_SENTENCE("TraceRemarks",
                       "The column \"%1\" occurs more than once: this one is called \"%2\".")},
@@ -87,6 +87,45 @@ constexpr std::array<std::pair<RemarkCode, const char*>, 26> kPatterns{{
      RIVULET_SENTENCE("TraceRemarks",
                       "Datasets to whose length no time belongs and that were left out: "
                       "%1, the first \"%2\".")},
+    {RemarkCode::HeldValues,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "An MTConnect agent reports a value when it changes: in gaps the last value "
+                      "is held; otherwise straight lines are assumed between values.")},
+    {RemarkCode::KnownFrom,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "All positions are known from %1 s on: what comes before is not analysed.")},
+    {RemarkCode::ValuesAtOnce,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Values with the time of a later value of the same item, which counts "
+                      "instead: %1.")},
+    {RemarkCode::ItemTables,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Observations that are tables or sets of values and were left out: %1, the "
+                      "first of \"%2\".")},
+    {RemarkCode::SeriesWithoutRate,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Series of values without a sample rate that were left out, because their "
+                      "times are not known: %1, the first of \"%2\".")},
+    {RemarkCode::UnreadableObservations,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Observations without a time or a number that can be read and that were "
+                      "left out: %1, the first of \"%2\".")},
+    {RemarkCode::ItemsUnavailable,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Items without any value that were left out: %1, the first \"%2\".")},
+    {RemarkCode::ItemsWithoutRole,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Items that mean the same as another one, which is analysed instead: %1.")},
+    {RemarkCode::ItemUnitUnknown,
+     RIVULET_SENTENCE(
+         "TraceRemarks",
+         "The unit \"%2\" of the item \"%1\" is not known: the item is not analysed.")},
+    {RemarkCode::NotesLeftOut,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "States and messages of the machine that are too many and were left out: "
+                      "%1.")},
+    {RemarkCode::AgentRefused,
+     RIVULET_SENTENCE("TraceRemarks", "The MTConnect agent refused a part: %1.")},
     {RemarkCode::RecordingCut,
      RIVULET_SENTENCE("TraceRemarks",
                       "The recording ends before its run: what came before is shown.")},

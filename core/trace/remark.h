@@ -35,6 +35,18 @@ enum class RemarkCode {
   OtherDatasets,        ///< datasets, path of the first
   DamagedDatasets,      ///< datasets, path of the first
   DatasetsWithoutTime,  ///< datasets, path of the first
+  // MTConnect.
+  HeldValues,              ///< no value
+  KnownFrom,               ///< s from the first value
+  ValuesAtOnce,            ///< values
+  ItemTables,              ///< observations, item of the first
+  SeriesWithoutRate,       ///< observations, item of the first
+  UnreadableObservations,  ///< observations, item of the first
+  ItemsUnavailable,        ///< items, the first
+  ItemsWithoutRole,        ///< names of the items
+  ItemUnitUnknown,         ///< name of the item, unit
+  NotesLeftOut,            ///< words of events
+  AgentRefused,            ///< text of the agent
   // Recordings and traces of controls.
   RecordingCut,     ///< no value
   UnreadableLines,  ///< lines

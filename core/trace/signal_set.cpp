@@ -192,9 +192,11 @@ void addEvents(ShownTrace& shown, const Trace& trace, Instant origin) {
       const SignalEvent moved{Instant{event.from - origin}, Instant{event.to - origin}, event.kind,
                               event.text};
       // Stops that were found again are there.
-      const bool isKnown = std::any_of(events.begin(), events.end(), [&](const SignalEvent& one) {
-        return one.kind == moved.kind && one.from <= moved.to && one.to >= moved.from;
-      });
+      const bool isKnown =
+          moved.kind != "note" &&
+          std::any_of(events.begin(), events.end(), [&](const SignalEvent& one) {
+            return one.kind == moved.kind && one.from <= moved.to && one.to >= moved.from;
+          });
       if (!isKnown) {
         events.push_back(moved);
       }

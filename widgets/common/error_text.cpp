@@ -258,6 +258,8 @@ struct ErrorTexts {
         return tr("Two columns have the same meaning. Choose one of them.");
       case trace::ImportError::NoHdf5:
         return tr("This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.");
+      case trace::ImportError::AgentRefused:
+        return tr("This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.");
     }
     return {};
   }

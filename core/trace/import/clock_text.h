@@ -12,6 +12,8 @@
 namespace rivulet::trace {
 
 inline constexpr double kDayS = 86400.0;
+/// Beyond that many seconds an `Instant` overflows: clocks count from 1970 or 1601 at most.
+inline constexpr double kSecondsMax = 9e9;
 
 enum class ClockKind : std::uint8_t {
   None,

@@ -130,10 +130,6 @@ std::optional<std::size_t> axisOf(const Words& words) {
   return std::nullopt;
 }
 
-SignalRole forAxis(SignalRole ofX, std::size_t axis) {
-  return static_cast<SignalRole>(static_cast<std::size_t>(ofX) + axis);
-}
-
 std::optional<SignalRole> roleNamed(std::string_view name) {
   const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
   return found == kRoleNames.end()
@@ -349,9 +345,9 @@ std::optional<SignalRole> guessRole(std::string_view name) {
   }
   if (axis) {
     if (isFeed) {
-      return isActual ? std::nullopt : std::optional(forAxis(SignalRole::XSpeed, *axis));
+      return isActual ? std::nullopt : std::optional(roleForAxis(SignalRole::XSpeed, *axis));
     }
-    return forAxis(isCommand ? SignalRole::XSet : SignalRole::XActual, *axis);
+    return roleForAxis(isCommand ? SignalRole::XSet : SignalRole::XActual, *axis);
   }
   if (isFeed) {
     if (holdsOne(words, {"req", "requested", "prog", "programmed", "f"})) {

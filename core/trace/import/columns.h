@@ -40,6 +40,11 @@ inline constexpr std::size_t kSignalRoleCount = 14;
   return role >= SignalRole::XSet && role <= SignalRole::ZActual;
 }
 
+/// The same role of another axis. @param ofX  of the axis X  @param axis  0, 1, 2: X, Y, Z
+[[nodiscard]] constexpr SignalRole roleForAxis(SignalRole ofX, std::size_t axis) {
+  return static_cast<SignalRole>(static_cast<std::size_t>(ofX) + axis);
+}
+
 /// "time", "x_set", "x_act", "x_speed", "path_speed", "programmed_feed", "line", "override".
 [[nodiscard]] std::string_view signalRoleName(SignalRole role);
 

@@ -19,6 +19,7 @@
 #include "trace/hdf5.h"
 #include "trace/import/compression.h"
 #include "trace/import/import_error.h"
+#include "trace/import/mtconnect.h"
 #include "trace/import/sinumerik_xml.h"
 #include "trace/import/text_table.h"
 
@@ -28,8 +29,6 @@ namespace {
 
 /// Assumed for a table that has neither a column of time nor a rate.
 constexpr double kRateHzAssumed = 1000.0;
-/// Beyond that many seconds an `Instant` overflows: clocks count from 1970 or 1601 at most.
-constexpr double kSecondsMax = 9e9;
 constexpr const char* kFiletimeUnit = "100ns";
 /// Sections of a trace whose time starts again follow each other at this distance.
 constexpr double kSectionGapS = 1.0;
@@ -794,32 +793,96 @@ TablePreview previewOf(const std::vector<Column>& columns, const TableMapping& m
   return preview;
 }
 
-base::Result<ImportedTrace> importXml(std::string_view text, const TableMapping& mapping,
-                                      const base::Budget& budget) {
+/// The signals of a format that has its own time bases, as columns without their values.
+std::vector<Column> columnsOf(const SignalTrace& trace) {
+  std::vector<Column> columns;
+  for (const Signal& signal : trace.signalList) {
+    columns.push_back({signal.name, signal.unit, {}});
+  }
+  return columns;
+}
+
+/// @param columns  one per signal, with their roles
+ImportedTrace importSignals(SignalTrace trace, std::vector<Column>& columns,
+                            const TableMapping& mapping) {
+  ImportedTrace imported;
+  for (const Signal& signal : trace.signalList) {
+    imported.layout += (imported.layout.empty() ? "" : "|") + signal.name;
+  }
+  makeUnique(columns, trace.remarks);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    trace.signalList[i].name = columns[i].name;
+  }
+  imported.columns = rolesOf(columns);
+  imported.table.mapping = mapping;
+  imported.trace = std::move(trace);
+  return imported;
+}
+
+base::Result<ImportedTrace> importSinumerik(std::string_view text, const TableMapping& mapping,
+                                            const base::Budget& budget) {
   auto trace = readSinumerikTrace(text, budget);
   if (!trace) {
     return base::fail(trace.error());
   }
-  std::vector<Column> columns;
-  ImportedTrace imported;
-  for (const Signal& signal : trace->signalList) {
-    columns.push_back({signal.name, signal.unit, {}});
-    imported.layout += (imported.layout.empty() ? "" : "|") + signal.name;
-  }
+  std::vector<Column> columns = columnsOf(*trace);
   for (const ColumnRole& choice : mapping.columns) {
     if (auto done = applyChoice(columns, choice); !done) {
       return base::fail(done.error());
     }
   }
   guessRoles(columns, mapping.isComplete, trace->remarks);
-  makeUnique(columns, trace->remarks);
+  return importSignals(std::move(*trace), columns, mapping);
+}
+
+/// When the last of the positions has its first value, if that is later than the first.
+void addKnownFrom(SignalTrace& trace, const std::vector<Column>& columns) {
+  base::Instant first = base::Instant::max();
+  base::Instant known = base::Instant::min();
+  base::Instant origin = base::Instant::max();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    trace->signalList[i].name = columns[i].name;
+    const base::Instant begin = trace.timeBases[trace.signalList[i].timeBase].at.front();
+    origin = std::min(origin, begin);
+    if (columns[i].role && isPosition(*columns[i].role)) {
+      first = std::min(first, begin);
+      known = std::max(known, begin);
+    }
   }
-  imported.columns = rolesOf(columns);
-  imported.table.mapping = mapping;
-  imported.trace = std::move(*trace);
-  return imported;
+  if (first < known) {
+    trace.remarks.push_back(
+        {RemarkCode::KnownFrom, {fmt::format("{:.3f}", base::toSeconds(known - origin))}});
+  }
+}
+
+/// What items mean is not guessed from their names: the standard says it.
+base::Result<ImportedTrace> importMtconnect(std::string_view text, const TableMapping& mapping,
+                                            const base::Budget& budget) {
+  auto read = readMtconnect(text, budget);
+  if (!read) {
+    return base::fail(read.error());
+  }
+  std::vector<Column> columns = columnsOf(read->trace);
+  for (const ColumnRole& choice : mapping.columns) {
+    if (auto done = applyChoice(columns, choice); !done) {
+      return base::fail(done.error());
+    }
+  }
+  std::vector<bool> isPositionOf;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto& role = read->kinds[i].role;
+    const bool isTaken = std::any_of(columns.begin(), columns.end(), [&role](const Column& one) {
+      return one.isChosen && one.role == role;
+    });
+    if (!columns[i].isChosen && !mapping.isComplete && !isTaken) {
+      columns[i].role = role;
+    }
+    isPositionOf.push_back(columns[i].role && isPosition(*columns[i].role));
+  }
+  if (auto done = addHeldValues(*read, isPositionOf, budget); !done) {
+    return base::fail(done.error());
+  }
+  addKnownFrom(read->trace, columns);
+  return importSignals(std::move(read->trace), columns, mapping);
 }
 
 /// @param columns  with the roles that the format itself tells
@@ -907,8 +970,9 @@ base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMappi
     return base::fail(text.error());
   }
   rest = rest.without(converted.capacity());
-  auto imported =
-      isSinumerikTrace(*text) ? importXml(*text, mapping, rest) : importTable(*text, mapping, rest);
+  auto imported = isMtconnect(*text)        ? importMtconnect(*text, mapping, rest)
+                  : isSinumerikTrace(*text) ? importSinumerik(*text, mapping, rest)
+                                            : importTable(*text, mapping, rest);
   if (imported && !unpacked.whole) {
     imported->trace.remarks.insert(imported->trace.remarks.begin(), {RemarkCode::CutCompressed});
   }

@@ -3,8 +3,8 @@
 
 /// @file
 /// Reads the traces of other tools: tables of any layout (CSV, TSV, LinuxCNC halsampler, TwinCAT
-/// Scope) and the XML of the SINUMERIK trace, plain or compressed with zstd. What can be read is
-/// kept; the rest is said in `SignalTrace::remarks`. @threadsafety pure.
+/// Scope), the XML of the SINUMERIK trace and that of MTConnect agents, plain or compressed with
+/// zstd. What can be read is kept; the rest is said in `SignalTrace::remarks`. @threadsafety pure.
 #pragma once
 
 #include <optional>
@@ -45,8 +45,8 @@ struct ImportedTrace {
 };
 
 /// @param budget  without the bytes themselves
-/// @return error NotATable: nothing can be read; BadMapping: a column is not there;
-/// BudgetError::Exceeded, also if only the analysis would take more
+/// @return error NotATable: nothing can be read; AgentRefused: it is a refusal; BadMapping: a
+/// column is not there; BudgetError::Exceeded, also if only the analysis would take more
 [[nodiscard]] base::Result<ImportedTrace> importTrace(std::string_view bytes,
                                                       const TableMapping& mapping = {},
                                                       const base::Budget& budget = {});

@@ -14,6 +14,7 @@ enum class ImportError {
   BadMapping,     ///< a column that is not there, a role that is not known, or no position
   RoleTwice,      ///< two columns are to be the same; its role is the context
   NoHdf5,         ///< HDF5, and this program was built without its library
+  AgentRefused,   ///< an MTConnectError, which is no trace
 };
 
 [[nodiscard]] std::error_code make_error_code(ImportError code);
