@@ -3907,6 +3907,14 @@
         <source>The MTConnect agent refused a part: %1.</source>
         <translation>Der MTConnect-Agent hat einen Teil abgelehnt: %1.</translation>
     </message>
+    <message>
+        <source>Observations between two answers that the MTConnect agent no longer had: %1. The motion is not known there.</source>
+        <translation>Beobachtungen zwischen zwei Antworten, die der MTConnect-Agent nicht mehr hatte: %1. Die Bewegung ist dort nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent was started again between two answers: what it had kept until then may be incomplete.</source>
+        <translation>Der MTConnect-Agent wurde zwischen zwei Antworten neu gestartet: Was er bis dahin behalten hatte, kann unvollständig sein.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

@@ -3907,6 +3907,14 @@
         <source>The MTConnect agent refused a part: %1.</source>
         <translation>El agente MTConnect ha rechazado una parte: %1.</translation>
     </message>
+    <message>
+        <source>Observations between two answers that the MTConnect agent no longer had: %1. The motion is not known there.</source>
+        <translation>Observaciones entre dos respuestas que el agente MTConnect ya no tenía: %1. El movimiento no se conoce ahí.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent was started again between two answers: what it had kept until then may be incomplete.</source>
+        <translation>El agente MTConnect se reinició entre dos respuestas: lo que había conservado hasta entonces puede estar incompleto.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

@@ -3865,47 +3865,55 @@
     </message>
     <message>
         <source>An MTConnect agent reports a value when it changes: in gaps the last value is held; otherwise straight lines are assumed between values.</source>
-        <translation>Un agent MTConnect signale une valeur quand elle change : dans les lacunes, la dernière valeur est maintenue ; sinon, des droites sont supposées entre les valeurs.</translation>
+        <translation>Un agent MTConnect signale une valeur quand elle change&#xa0;: dans les lacunes, la dernière valeur est maintenue&#xa0;; sinon, des droites sont supposées entre les valeurs.</translation>
     </message>
     <message>
         <source>All positions are known from %1 s on: what comes before is not analysed.</source>
-        <translation>Toutes les positions sont connues à partir de %1 s : ce qui précède n’est pas analysé.</translation>
+        <translation>Toutes les positions sont connues à partir de %1 s&#xa0;: ce qui précède n’est pas analysé.</translation>
     </message>
     <message>
         <source>Values with the time of a later value of the same item, which counts instead: %1.</source>
-        <translation>Valeurs ayant l’instant d’une valeur ultérieure du même élément, qui compte à leur place : %1.</translation>
+        <translation>Valeurs ayant l’instant d’une valeur ultérieure du même élément, qui compte à leur place&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Observations that are tables or sets of values and were left out: %1, the first of &quot;%2&quot;.</source>
-        <translation>Observations qui sont des tableaux ou des ensembles de valeurs et qui ont été omises : %1, la première de « %2 ».</translation>
+        <translation>Observations qui sont des tableaux ou des ensembles de valeurs et qui ont été omises&#xa0;: %1, la première de «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Series of values without a sample rate that were left out, because their times are not known: %1, the first of &quot;%2&quot;.</source>
-        <translation>Séries de valeurs sans fréquence d’échantillonnage, omises parce que leurs instants sont inconnus : %1, la première de « %2 ».</translation>
+        <translation>Séries de valeurs sans fréquence d’échantillonnage, omises parce que leurs instants sont inconnus&#xa0;: %1, la première de «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Observations without a time or a number that can be read and that were left out: %1, the first of &quot;%2&quot;.</source>
-        <translation>Observations sans instant ou sans nombre lisible, qui ont été omises : %1, la première de « %2 ».</translation>
+        <translation>Observations sans instant ou sans nombre lisible, qui ont été omises&#xa0;: %1, la première de «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Items without any value that were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Éléments sans aucune valeur, qui ont été omis : %1, le premier « %2 ».</translation>
+        <translation>Éléments sans aucune valeur, qui ont été omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>Items that mean the same as another one, which is analysed instead: %1.</source>
-        <translation>Éléments qui signifient la même chose qu’un autre, analysé à leur place : %1.</translation>
+        <translation>Éléments qui signifient la même chose qu’un autre, analysé à leur place&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The unit &quot;%2&quot; of the item &quot;%1&quot; is not known: the item is not analysed.</source>
-        <translation>L’unité « %2 » de l’élément « %1 » est inconnue : l’élément n’est pas analysé.</translation>
+        <translation>L’unité «&#xa0;%2&#xa0;» de l’élément «&#xa0;%1&#xa0;» est inconnue&#xa0;: l’élément n’est pas analysé.</translation>
     </message>
     <message>
         <source>States and messages of the machine that are too many and were left out: %1.</source>
-        <translation>États et messages de la machine trop nombreux, qui ont été omis : %1.</translation>
+        <translation>États et messages de la machine trop nombreux, qui ont été omis&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The MTConnect agent refused a part: %1.</source>
-        <translation>L’agent MTConnect a refusé une partie : %1.</translation>
+        <translation>L’agent MTConnect a refusé une partie&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Observations between two answers that the MTConnect agent no longer had: %1. The motion is not known there.</source>
+        <translation>Observations entre deux réponses que l’agent MTConnect n’avait plus : %1. Le mouvement n’y est pas connu.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent was started again between two answers: what it had kept until then may be incomplete.</source>
+        <translation>L’agent MTConnect a été redémarré entre deux réponses : ce qu’il avait conservé jusque-là peut être incomplet.</translation>
     </message>
 </context>
 <context>

@@ -3907,6 +3907,14 @@
         <source>The MTConnect agent refused a part: %1.</source>
         <translation>L’agente MTConnect ha rifiutato una parte: %1.</translation>
     </message>
+    <message>
+        <source>Observations between two answers that the MTConnect agent no longer had: %1. The motion is not known there.</source>
+        <translation>Osservazioni tra due risposte che l’agente MTConnect non aveva più: %1. Il movimento lì non è noto.</translation>
+    </message>
+    <message>
+        <source>The MTConnect agent was started again between two answers: what it had kept until then may be incomplete.</source>
+        <translation>L’agente MTConnect è stato riavviato tra due risposte: ciò che aveva conservato fino ad allora può essere incompleto.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

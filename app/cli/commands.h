@@ -233,8 +233,9 @@ struct AuditOptions {
 [[nodiscard]] Exit audit(const AuditOptions& options);
 
 struct AnalyseOptions {
-  std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
-  std::string program;             ///< what should have been executed; empty: not known
+  /// Recordings, traces of the control, or of other tools; addresses of MTConnect agents.
+  std::vector<std::string> files;
+  std::string program;  ///< what should have been executed; empty: not known
   LoadingOptions loading;
   std::string columns;       ///< `trace::parseTableMapping`; empty: as remembered, or guessed
   double rateHz = 0.0;       ///< of a table without time; 0: not said
@@ -251,6 +252,8 @@ struct AnalyseOptions {
   std::string report;                   ///< PDF or HTML file for a page on one trace; empty: none
   std::string language = "en";          ///< of the report and the trend
   std::string save;                     ///< CSV or HDF5 file for the signals of one trace; or empty
+  double recordS = 0.0;                 ///< from an agent, after what it has kept
+  std::string keep;                     ///< file for the answers of an agent; empty: none
   bool json = false;
 
   [[nodiscard]] bool hasWindow() const { return fromS > 0.0 || std::isfinite(untilS); }

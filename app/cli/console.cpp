@@ -10,6 +10,7 @@
 #include "platform/log.h"
 #include "report/report_json.h"
 #include "streaming/run/run.h"
+#include "trace_fetch/http.h"
 
 namespace rivulet::cli {
 
@@ -37,7 +38,9 @@ void printJson(const nlohmann::ordered_json& json) {
 
 Exit exitFor(const base::Error& error) {
   const std::error_code anyLinkError = opcua::LinkError::NotReachable;
-  return error.code.category() == anyLinkError.category() ? Exit::Connection : Exit::BadInput;
+  const bool isConnection =
+      error.code.category() == anyLinkError.category() || trace_fetch::isOfConnection(error);
+  return isConnection ? Exit::Connection : Exit::BadInput;
 }
 
 Exit exitForRun(const base::Error& error) {

@@ -22,6 +22,7 @@
 #include "streaming/control/machine_profile.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
+#include "trace_fetch/agent.h"
 
 #ifdef RIVULET_WITH_OPEN62541
 #include "qtopcua/open_link.h"
@@ -682,13 +683,44 @@ void addAuditCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::audit(*options); });
 }
 
+/// What only makes sense with one trace, or one MTConnect agent.
+void requireOneTrace(const rivulet::cli::AnalyseOptions& options) {
+  if (!options.save.empty() && options.files.size() > 1) {
+    throw CLI::ValidationError("--save", "writes the signals of one file");
+  }
+  if (!options.save.empty() && !rivulet::trace::isSignalFile(options.save)) {
+    throw CLI::ValidationError("--save", "writes .csv or .h5");
+  }
+  const bool isOneAgent =
+      options.files.size() == 1 && rivulet::trace_fetch::isAgentAddress(options.files.front());
+  if (options.recordS > 0.0 && !isOneAgent) {
+    throw CLI::ValidationError("--record", "needs the address of one MTConnect agent");
+  }
+  if (!options.keep.empty() && !isOneAgent) {
+    throw CLI::ValidationError("--keep", "needs the address of one MTConnect agent");
+  }
+}
+
+/// What is read from elsewhere, and what is written of it.
+void addTraceFiles(CLI::App& command, rivulet::cli::AnalyseOptions& options) {
+  command.add_option("--save", options.save,
+                     "File for all signals and events of the trace: .csv or .h5 (HDF5)");
+  command
+      .add_option("--record", options.recordS,
+                  "From an MTConnect agent, also what comes in so many seconds")
+      ->check(kPositive);
+  command.add_option("--keep", options.keep,
+                     "File for the answers of an MTConnect agent, which analyse reads again: .xml");
+}
+
 void addAnalyseCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::AnalyseOptions>();
   CLI::App* command = app.add_subcommand("analyse", "Analyse recordings and traces");
   command
       ->add_option("FILE", options->files,
                    "Recordings of stream, traces of the control, or traces of other tools (CSV, "
-                   "XML, HDF5, also compressed with zstd)")
+                   "XML, HDF5, also compressed with zstd); or http://HOST:PORT of an MTConnect "
+                   "agent")
       ->required();
   command->add_option("--program", options->program, "NC program that the trace should show");
   addLoading(command, options->loading);
@@ -714,8 +746,7 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
                    "File for access time and pauses over the runs of each machine: .html, .svg or "
                    ".json")
       ->needs(summary);
-  command->add_option("--save", options->save,
-                      "File for all signals and events of the trace: .csv or .h5 (HDF5)");
+  addTraceFiles(*command, *options);
   command->add_option("--report", options->report,
                       "File for one page with pictures, to be read or printed: .pdf "
                       "or .html");
@@ -744,12 +775,7 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
     }
-    if (!options->save.empty() && options->files.size() > 1) {
-      throw CLI::ValidationError("--save", "writes the signals of one file");
-    }
-    if (!options->save.empty() && !rivulet::trace::isSignalFile(options->save)) {
-      throw CLI::ValidationError("--save", "writes .csv or .h5");
-    }
+    requireOneTrace(*options);
     if (options->fromS > options->untilS) {
       throw CLI::ValidationError("--until", "is before --from");
     }

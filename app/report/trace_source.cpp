@@ -102,11 +102,15 @@ base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::files
 base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const std::string& columns,
                                      double rateHz, const base::Budget& budget) {
   const auto bytes = base::readFile(file, budget);
-  if (!bytes) {
-    return base::fail(bytes.error());
-  }
-  const auto inFile = [&file](base::Error error) {
-    error.context = file.string();
+  return bytes ? openTraceBytes(*bytes, file.string(), columns, rateHz, budget)
+               : base::fail(bytes.error());
+}
+
+base::Result<trace::Trace> openTraceBytes(const std::string& bytes, const std::string& name,
+                                          const std::string& columns, double rateHz,
+                                          const base::Budget& budget) {
+  const auto inFile = [&name](base::Error error) {
+    error.context = name;
     return base::fail(std::move(error));
   };
   auto mapping = trace::parseTableMapping(columns);
@@ -114,8 +118,8 @@ base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const st
     return inFile(mapping.error());
   }
   mapping->rateHz = rateHz > 0.0 ? rateHz : mapping->rateHz;
-  const base::Budget rest = budget.without(bytes->capacity());
-  auto trace = trace::parseTrace(*bytes, *mapping, rest);
+  const base::Budget rest = budget.without(bytes.capacity());
+  auto trace = trace::parseTrace(bytes, *mapping, rest);
   if (!trace) {
     return inFile(trace.error());
   }
@@ -123,7 +127,7 @@ base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const st
     return trace;
   }
   if (columns.empty()) {
-    return parseAsRemembered(*bytes, std::move(*trace), *mapping, rest);
+    return parseAsRemembered(bytes, std::move(*trace), *mapping, rest);
   }
   // Failing to remember is no reason not to analyse.
   if (const auto done = rememberMapping(trace->imported()->layout, columns); !done) {

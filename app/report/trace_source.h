@@ -32,6 +32,12 @@ inline constexpr double kComparedChordMm = 0.0002;
                                                    const std::string& columns, double rateHz,
                                                    const base::Budget& budget = {});
 
+/// The same of what was read elsewhere. @param name  of errors
+[[nodiscard]] base::Result<trace::Trace> openTraceBytes(const std::string& bytes,
+                                                        const std::string& name,
+                                                        const std::string& columns, double rateHz,
+                                                        const base::Budget& budget = {});
+
 /// The program that traces are compared with. @param file  empty: none
 [[nodiscard]] base::Result<std::optional<gcode::Program>> loadComparedProgram(
     const std::filesystem::path& file, gcode::LoadOptions loading);

@@ -14,7 +14,7 @@ namespace rivulet::trace {
 namespace {
 
 /// In the order of the codes.
-constexpr std::array<std::pair<RemarkCode, const char*>, 37> kPatterns{{
+constexpr std::array<std::pair<RemarkCode, const char*>, 39> kPatterns{{
     {RemarkCode::DuplicateColumn,
      RIVULET_SENTENCE("TraceRemarks",
                       "The column \"%1\" occurs more than once: this one is called \"%2\".")},
@@ -126,6 +126,14 @@ constexpr std::array<std::pair<RemarkCode, const char*>, 37> kPatterns{{
                       "%1.")},
     {RemarkCode::AgentRefused,
      RIVULET_SENTENCE("TraceRemarks", "The MTConnect agent refused a part: %1.")},
+    {RemarkCode::ObservationsMissing,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Observations between two answers that the MTConnect agent no longer had: "
+                      "%1. The motion is not known there.")},
+    {RemarkCode::AgentRestarted,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The MTConnect agent was started again between two answers: what it had kept "
+                      "until then may be incomplete.")},
     {RemarkCode::RecordingCut,
      RIVULET_SENTENCE("TraceRemarks",
                       "The recording ends before its run: what came before is shown.")},

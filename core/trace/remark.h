@@ -47,6 +47,8 @@ enum class RemarkCode {
   ItemUnitUnknown,         ///< name of the item, unit
   NotesLeftOut,            ///< words of events
   AgentRefused,            ///< text of the agent
+  ObservationsMissing,     ///< observations
+  AgentRestarted,          ///< no value
   // Recordings and traces of controls.
   RecordingCut,     ///< no value
   UnreadableLines,  ///< lines

@@ -285,6 +285,12 @@ void addRemarks(const mtconnect::Findings& found, SignalTrace& trace) {
   add(RemarkCode::UnreadableObservations, found.unreadable);
   count(RemarkCode::NotesLeftOut, found.notes.count);
   count(RemarkCode::ValuesBackwards, found.backwards);
+  if (found.missing > 0) {
+    trace.remarks.push_back({RemarkCode::ObservationsMissing, {std::to_string(found.missing)}});
+  }
+  if (found.hasRestarted) {
+    trace.remarks.push_back({RemarkCode::AgentRestarted});
+  }
   if (!found.refusal.empty()) {
     trace.remarks.push_back({RemarkCode::AgentRefused, {found.refusal}});
   }
@@ -433,6 +439,22 @@ bool isMtconnect(std::string_view text) {
   const std::string_view root = xmlRoot(text);
   return root == "MTConnectStreams" || root == "MTConnectDevices" || root == "MTConnectError" ||
          root == "MTConnectAssets";
+}
+
+std::optional<MtconnectHeader> readMtconnectHeader(std::string_view text) {
+  if (!isMtconnect(text)) {
+    return std::nullopt;
+  }
+  MtconnectHeader header;
+  XmlReader reader(text);
+  while (const auto token = reader.next()) {
+    if (token->kind == XmlKind::Start && token->name == "Header") {
+      header = mtconnect::headerOf(*token);
+      break;
+    }
+  }
+  header.document = xmlRoot(text);
+  return header;
 }
 
 base::Result<MtconnectTrace> readMtconnect(std::string_view text, const base::Budget& budget) {

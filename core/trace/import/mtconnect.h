@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +43,18 @@ struct MtconnectTrace {
 };
 
 [[nodiscard]] bool isMtconnect(std::string_view text);
+
+/// What an agent says of its buffer in front of an answer; 0: it does not say.
+struct MtconnectHeader {
+  std::string document;  ///< "MTConnectStreams", "MTConnectDevices", "MTConnectError", ...
+  std::uint64_t instanceId = 0;
+  std::uint64_t bufferSize = 0;  ///< observations
+  std::uint64_t firstSequence = 0;
+  std::uint64_t lastSequence = 0;
+  std::uint64_t nextSequence = 0;  ///< of the first observation after the answer
+};
+/// Of the first document; nothing: the text is of no agent.
+[[nodiscard]] std::optional<MtconnectHeader> readMtconnectHeader(std::string_view text);
 
 /// One time base for each signal; its values are in MTConnect's units. Numbers become signals, the
 /// words of events and conditions become events of the trace. What the agent calls UNAVAILABLE is

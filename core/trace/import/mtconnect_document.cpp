@@ -177,6 +177,7 @@ class DocumentReader {
   std::string_view m_root;
   bool m_isClosed = true;  ///< the last document has ended
   std::uint64_t m_documents = 0;
+  std::optional<MtconnectHeader> m_header;  ///< of the last document with observations
   Category m_category = Category::None;
   std::string m_device;
   std::string m_componentType;
@@ -227,6 +228,14 @@ void DocumentReader::startContainer(const XmlToken& tag) {
     m_root = tag.name;
     m_isClosed = tag.isEmpty;
     ++m_documents;
+  } else if (tag.name == "Header" && m_root == "MTConnectStreams") {
+    const MtconnectHeader header = headerOf(tag);
+    const bool isKnown = m_header && m_header->instanceId == header.instanceId;
+    m_content.found.hasRestarted = m_content.found.hasRestarted || (m_header && !isKnown);
+    if (isKnown && m_header->nextSequence > 0 && header.firstSequence > m_header->nextSequence) {
+      m_content.found.missing += header.firstSequence - m_header->nextSequence;
+    }
+    m_header = header;
   } else if (tag.name == "DeviceStream") {
     m_device = xmlAttribute(tag, "name");
     m_device = m_device.empty() ? xmlAttribute(tag, "uuid") : m_device;
@@ -463,6 +472,18 @@ void DocumentReader::takeWords(base::Instant at, const std::string& words) {
 base::Result<Content> readDocuments(std::string_view text, const base::Budget& budget) {
   DocumentReader reader(text, budget);
   return reader.read();
+}
+
+MtconnectHeader headerOf(const XmlToken& tag) {
+  const auto number = [&tag](std::string_view name) {
+    return wholeNumber(xmlAttribute(tag, name));
+  };
+  return {{},
+          number("instanceId"),
+          number("bufferSize"),
+          number("firstSequence"),
+          number("lastSequence"),
+          number("nextSequence")};
 }
 
 std::string_view unitOfType(std::string_view type) {

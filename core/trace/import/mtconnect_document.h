@@ -18,6 +18,8 @@
 #include "base/budget.h"
 #include "base/instant.h"
 #include "base/result.h"
+#include "trace/import/mtconnect.h"
+#include "trace/import/xml_reader.h"
 #include "trace/signals.h"
 
 namespace rivulet::trace::mtconnect {
@@ -80,6 +82,8 @@ struct Findings {
   LeftOut notes;
   std::size_t backwards = 0;  ///< values of series
   std::string refusal;        ///< of an MTConnectError; empty: there is none
+  std::uint64_t missing = 0;  ///< observations between two documents
+  bool hasRestarted = false;  ///< the agent, between two documents
   bool wasCut = false;
 };
 
@@ -99,6 +103,9 @@ struct Content {
 /// @return error BudgetError::Exceeded
 [[nodiscard]] base::Result<Content> readDocuments(std::string_view text,
                                                   const base::Budget& budget);
+
+/// @param tag  "Header"
+[[nodiscard]] MtconnectHeader headerOf(const XmlToken& tag);
 
 /// The unit that the standard prescribes for a type, such as mm of "Position"; empty: not known.
 [[nodiscard]] std::string_view unitOfType(std::string_view type);
