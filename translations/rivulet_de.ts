@@ -1598,6 +1598,10 @@
         <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
         <translation>Das ist kein Trace, sondern die Absage eines MTConnect-Agenten. Ihn nach /sample fragen.</translation>
     </message>
+    <message>
+        <source>The server keeps no history of this node. Have it recorded at the server.</source>
+        <translation>Der Server zeichnet keinen Verlauf dieses Knotens auf. Ihn am Server aufzeichnen lassen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

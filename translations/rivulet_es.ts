@@ -1598,6 +1598,10 @@
         <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
         <translation>Esto no es una traza, sino el rechazo de un agente MTConnect. Pedirle /sample.</translation>
     </message>
+    <message>
+        <source>The server keeps no history of this node. Have it recorded at the server.</source>
+        <translation>El servidor no guarda ningún historial de este nodo. Hacer que se registre en el servidor.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1598,6 +1598,10 @@
         <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
         <translation>Ceci n’est pas une trace, mais le refus d’un agent MTConnect. Lui demander /sample.</translation>
     </message>
+    <message>
+        <source>The server keeps no history of this node. Have it recorded at the server.</source>
+        <translation>Le serveur ne conserve aucun historique de ce nœud. Le faire enregistrer sur le serveur.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3909,11 +3913,11 @@
     </message>
     <message>
         <source>Observations between two answers that the MTConnect agent no longer had: %1. The motion is not known there.</source>
-        <translation>Observations entre deux réponses que l’agent MTConnect n’avait plus : %1. Le mouvement n’y est pas connu.</translation>
+        <translation>Observations entre deux réponses que l’agent MTConnect n’avait plus&#xa0;: %1. Le mouvement n’y est pas connu.</translation>
     </message>
     <message>
         <source>The MTConnect agent was started again between two answers: what it had kept until then may be incomplete.</source>
-        <translation>L’agent MTConnect a été redémarré entre deux réponses : ce qu’il avait conservé jusque-là peut être incomplet.</translation>
+        <translation>L’agent MTConnect a été redémarré entre deux réponses&#xa0;: ce qu’il avait conservé jusque-là peut être incomplet.</translation>
     </message>
 </context>
 <context>

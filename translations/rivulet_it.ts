@@ -1598,6 +1598,10 @@
         <source>This is no trace, but the refusal of an MTConnect agent. Ask it for /sample.</source>
         <translation>Questa non è una traccia, ma il rifiuto di un agente MTConnect. Chiedergli /sample.</translation>
     </message>
+    <message>
+        <source>The server keeps no history of this node. Have it recorded at the server.</source>
+        <translation>Il server non conserva lo storico di questo nodo. Farlo registrare sul server.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

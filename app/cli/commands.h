@@ -233,7 +233,8 @@ struct AuditOptions {
 [[nodiscard]] Exit audit(const AuditOptions& options);
 
 struct AnalyseOptions {
-  /// Recordings, traces of the control, or of other tools; addresses of MTConnect agents.
+  /// Recordings, traces of the control, or of other tools; addresses of MTConnect
+  /// agents, or of OPC UA servers with a history.
   std::vector<std::string> files;
   std::string program;  ///< what should have been executed; empty: not known
   LoadingOptions loading;
@@ -254,6 +255,9 @@ struct AnalyseOptions {
   std::string save;                     ///< CSV or HDF5 file for the signals of one trace; or empty
   double recordS = 0.0;                 ///< from an agent, after what it has kept
   std::string keep;                     ///< file for the answers of an agent; empty: none
+  std::vector<std::string> nodes;       ///< of an OPC UA server: `trace_fetch::parseHistoryNode`
+  std::string since;                    ///< of its history, UTC: `base::utcOfText`
+  std::string to;                       ///< the same, later
   bool json = false;
 
   [[nodiscard]] bool hasWindow() const { return fromS > 0.0 || std::isfinite(untilS); }

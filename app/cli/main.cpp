@@ -23,6 +23,7 @@
 #include "templates/cells.h"
 #include "trace/signal_file.h"
 #include "trace_fetch/agent.h"
+#include "trace_fetch/history.h"
 
 #ifdef RIVULET_WITH_OPEN62541
 #include "qtopcua/open_link.h"
@@ -699,6 +700,11 @@ void requireOneTrace(const rivulet::cli::AnalyseOptions& options) {
   if (!options.keep.empty() && !isOneAgent) {
     throw CLI::ValidationError("--keep", "needs the address of one MTConnect agent");
   }
+  const bool isOneServer =
+      options.files.size() == 1 && rivulet::trace_fetch::isOpcUaAddress(options.files.front());
+  if (!isOneServer && !(options.nodes.empty() && options.since.empty() && options.to.empty())) {
+    throw CLI::ValidationError("--node, --since, --to", "need the address of one OPC UA server");
+  }
 }
 
 /// What is read from elsewhere, and what is written of it.
@@ -711,6 +717,12 @@ void addTraceFiles(CLI::App& command, rivulet::cli::AnalyseOptions& options) {
       ->check(kPositive);
   command.add_option("--keep", options.keep,
                      "File for the answers of an MTConnect agent, which analyse reads again: .xml");
+  command.add_option("--node", options.nodes,
+                     "From the history of an OPC UA server: NAME=NODE, such as "
+                     "x_act=ns=2;s=Axis.X; may be given several times");
+  command.add_option("--since", options.since,
+                     "Beginning of the history, UTC: 2026-01-02T03:04:05Z");
+  command.add_option("--to", options.to, "End of the history, UTC");
 }
 
 void addAnalyseCommand(CLI::App& app, Exit& exit) {
@@ -720,7 +732,7 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->add_option("FILE", options->files,
                    "Recordings of stream, traces of the control, or traces of other tools (CSV, "
                    "XML, HDF5, also compressed with zstd); or http://HOST:PORT of an MTConnect "
-                   "agent")
+                   "agent, opc.tcp://HOST:PORT of an OPC UA server with a history")
       ->required();
   command->add_option("--program", options->program, "NC program that the trace should show");
   addLoading(command, options->loading);

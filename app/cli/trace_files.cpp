@@ -8,7 +8,13 @@
 #include <thread>
 
 #include "base/file.h"
+#include "base/utc.h"
+#include "cli/connection.h"
+#include "opcua/control_map.h"
+#include "opcua/error.h"
+#include "trace/import/import.h"
 #include "trace_fetch/agent.h"
+#include "trace_fetch/history.h"
 
 namespace rivulet::cli {
 
@@ -58,11 +64,60 @@ base::Result<trace::Trace> openAgent(const std::string& url, const AnalyseOption
   return report::openTraceBytes(*text, url, options.columns, options.rateHz, memoryBudget());
 }
 
+base::Result<trace_fetch::HistoryRequest> historyOf(const AnalyseOptions& options) {
+  trace_fetch::HistoryRequest request;
+  for (const std::string& text : options.nodes) {
+    auto node = trace_fetch::parseHistoryNode(text);
+    if (!node) {
+      return base::fail(node.error());
+    }
+    request.nodes.push_back(std::move(*node));
+  }
+  const auto from = base::utcOfText(options.since);
+  const auto until = base::utcOfText(options.to);
+  if (request.nodes.empty() || !from || !until || *from >= *until) {
+    return base::fail(trace_fetch::FetchError::BadAddress,
+                      "The history of an OPC UA server needs --node NAME=NODE, and --since and "
+                      "--to with times such as 2026-01-02T03:04:05Z, the first one earlier.");
+  }
+  request.from = *from;
+  request.until = *until;
+  return request;
+}
+
+base::Result<trace::Trace> openHistory(const std::string& endpoint, const AnalyseOptions& options) {
+  const auto request = historyOf(options);
+  if (!request) {
+    return base::fail(request.error());
+  }
+  const auto mapping = trace::parseTableMapping(options.columns);
+  if (!mapping) {
+    return base::fail(mapping.error());
+  }
+  // It need not be a control: no variable of one is looked for.
+  const auto connection = connectTo(endpoint, std::make_shared<opcua::ControlMap>());
+  if (!connection) {
+    return base::fail(connection.error());
+  }
+  if (connection->history == nullptr) {
+    return base::fail(opcua::LinkError::NoHistory, "This link reads no history. Leave out --link.",
+                      endpoint);
+  }
+  auto signalTrace = trace_fetch::fetchHistory(*connection->history, *request, memoryBudget());
+  if (!signalTrace) {
+    return base::fail(signalTrace.error());
+  }
+  auto imported = trace::importSignals(std::move(*signalTrace), *mapping);
+  return imported ? base::Result<trace::Trace>(trace::Trace(std::move(*imported)))
+                  : base::fail(imported.error());
+}
+
 }  // namespace
 
 base::Result<trace::Trace> openTrace(const std::string& file, const AnalyseOptions& options) {
-  auto trace = trace_fetch::isAgentAddress(file)
-                   ? openAgent(file, options)
+  auto trace = trace_fetch::isAgentAddress(file) ? openAgent(file, options)
+               : trace_fetch::isOpcUaAddress(file)
+                   ? openHistory(file, options)
                    : report::openTrace(file, options.columns, options.rateHz, memoryBudget());
   return trace && options.hasWindow() ? trace->cut(options.fromS, options.untilS) : trace;
 }

@@ -22,6 +22,7 @@
 namespace rivulet::opcua {
 
 class NodeBrowser;
+class NodeHistory;
 struct ControlMap;
 
 /// Which library makes the connection.
@@ -48,6 +49,7 @@ struct Connection {
   NodeBrowser* browser = nullptr;  ///< of a connection with `LinkKind::Open62541`
   /// That the connection was made with; null: the control is a SINUMERIK.
   std::shared_ptr<const ControlMap> map = nullptr;
+  NodeHistory* history = nullptr;  ///< of a connection with `LinkKind::Open62541`
 
   explicit operator bool() const { return link != nullptr; }
 };

@@ -34,6 +34,7 @@ enum class LinkError {
   LoginRefused,        ///< user name or password are wrong, missing, or not taken
   HostUnknown,         ///< the name of the server's computer cannot be looked up
   NoHandles,           ///< this computer, or this program, may open no further connection
+  NoHistory,           ///< the server has not recorded this variable
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);

@@ -354,6 +354,8 @@ struct ErrorTexts {
         return tr(
             "Too many files and connections are open on this computer. Close other programs, then "
             "try again.");
+      case LinkError::NoHistory:
+        return tr("The server keeps no history of this node. Have it recorded at the server.");
     }
     return {};
   }

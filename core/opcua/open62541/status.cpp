@@ -126,6 +126,9 @@ std::string sentenceOf(LinkError error) {
              "address.";
     case LinkError::NoHandles:
       return "Too many files and connections are open on this computer. Close other programs.";
+    case LinkError::NoHistory:
+      return "The server keeps no history of this node. Have it recorded at the server, or choose "
+             "a node whose attribute Historizing is true.";
   }
   base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
 }

@@ -672,7 +672,8 @@ base::Result<Connection> openConnection(const ConnectOptions& options) {
                     link->security(),
                     link->serverCertificate(),
                     link.get(),
-                    options.map};
+                    options.map,
+                    link.get()};
 }
 
 base::Instant UaLink::now() const {
@@ -777,6 +778,9 @@ base::Result<std::vector<BrowsedNode>> UaLink::children(const std::string& addre
   return m_impl->children(address);
 }
 
+base::Result<NodeValues> UaLink::history(const std::string& address, const HistorySpan& span) {
+  return m_impl->history(address, span);
+}
 base::Result<std::vector<NodeFacts>> UaLink::examine(std::span<const std::string> addresses) {
   return m_impl->examine(addresses);
 }

@@ -13,6 +13,7 @@
 
 #include "opcua/connection.h"
 #include "opcua/node_browser.h"
+#include "opcua/node_history.h"
 #include "opcua/node_map.h"
 #include "opcua/node_watch.h"
 #include "opcua/security.h"
@@ -52,7 +53,11 @@ struct ConnectOptions {
 /// As whom the options log in.
 [[nodiscard]] LoginKind loginKindOf(const ConnectOptions& options);
 
-class UaLink final : public Link, public Control, public NodeBrowser, public NodeWatch {
+class UaLink final : public Link,
+                     public Control,
+                     public NodeBrowser,
+                     public NodeHistory,
+                     public NodeWatch {
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
@@ -100,6 +105,7 @@ class UaLink final : public Link, public Control, public NodeBrowser, public Nod
   base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from) override;
   base::Result<std::vector<BrowsedNode>> children(const std::string& address) override;
   base::Result<std::vector<NodeFacts>> examine(std::span<const std::string> addresses) override;
+  base::Result<NodeValues> history(const std::string& address, const HistorySpan& span) override;
   base::Result<void> watch(std::span<const std::string> addresses,
                            base::Duration interval) override;
   std::vector<NodeChange> takeChanges() override;

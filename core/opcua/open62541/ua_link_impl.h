@@ -3,7 +3,8 @@
 
 /// @file
 /// The inside of `UaLink`. Its functions are in several files: how it connects (`ua_link_connect`),
-/// the addresses of a map (`ua_link_map`), what a server has (`ua_link_browse`), what it tells by
+/// the addresses of a map (`ua_link_map`), what a server has (`ua_link_browse`), has recorded
+/// (`ua_link_history`), what it tells by
 /// itself (`ua_link_watch`), its methods (`ua_link_call`), and requests (`ua_link`).
 /// @threadsafety as `UaLink`.
 #pragma once
@@ -38,6 +39,7 @@ namespace rivulet::opcua {
 
 using CallResponse = Handle<UA_CallResponse, UA_TYPES_CALLRESPONSE>;
 using ReadResponse = Handle<UA_ReadResponse, UA_TYPES_READRESPONSE>;
+using HistoryResponse = Handle<UA_HistoryReadResponse, UA_TYPES_HISTORYREADRESPONSE>;
 using NodeId = Handle<UA_ExpandedNodeId, UA_TYPES_EXPANDEDNODEID>;
 
 /// Longest single wait inside the library; its timers run in between.
@@ -89,6 +91,8 @@ class UaLink::Impl {
   [[nodiscard]] base::Result<std::vector<BrowsedNode>> children(const std::string& address);
   [[nodiscard]] base::Result<std::vector<NodeFacts>> examine(
       std::span<const std::string> addresses);
+  [[nodiscard]] base::Result<NodeValues> history(const std::string& address,
+                                                 const HistorySpan& span);
   /// Of a program in the control's file system.
   [[nodiscard]] std::string pathOf(std::string_view name) const {
     return isMapped() ? mappedProgramPath(m_map->methods, name) : programPath(name);
@@ -216,6 +220,11 @@ class UaLink::Impl {
   [[nodiscard]] base::Result<NodeId> resolvePath(const std::string& path, const std::string& key);
   /// Nothing for a text that is no node id of this server.
   [[nodiscard]] std::optional<NodeId> parsed(const std::string& address) const;
+  /// @param isLast  the server may forget the rest; there is no answer then
+  [[nodiscard]] UA_StatusCode askForHistory(const UA_HistoryReadValueId& item,
+                                            const HistorySpan& span, bool isLast,
+                                            HistoryResponse& response);
+  [[nodiscard]] base::Error historyRefusal(UA_StatusCode status, const std::string& address);
   [[nodiscard]] std::string addressText(const UA_NodeId& id) const;
   [[nodiscard]] base::Error wrongAddress(const std::string& key, const std::string& what) const;
   [[nodiscard]] base::Result<CallResponse> callMapped(std::string_view method,

@@ -803,8 +803,8 @@ std::vector<Column> columnsOf(const SignalTrace& trace) {
 }
 
 /// @param columns  one per signal, with their roles
-ImportedTrace importSignals(SignalTrace trace, std::vector<Column>& columns,
-                            const TableMapping& mapping) {
+ImportedTrace importedOf(SignalTrace trace, std::vector<Column>& columns,
+                         const TableMapping& mapping) {
   ImportedTrace imported;
   for (const Signal& signal : trace.signalList) {
     imported.layout += (imported.layout.empty() ? "" : "|") + signal.name;
@@ -825,14 +825,7 @@ base::Result<ImportedTrace> importSinumerik(std::string_view text, const TableMa
   if (!trace) {
     return base::fail(trace.error());
   }
-  std::vector<Column> columns = columnsOf(*trace);
-  for (const ColumnRole& choice : mapping.columns) {
-    if (auto done = applyChoice(columns, choice); !done) {
-      return base::fail(done.error());
-    }
-  }
-  guessRoles(columns, mapping.isComplete, trace->remarks);
-  return importSignals(std::move(*trace), columns, mapping);
+  return importSignals(std::move(*trace), mapping);
 }
 
 /// When the last of the positions has its first value, if that is later than the first.
@@ -882,7 +875,7 @@ base::Result<ImportedTrace> importMtconnect(std::string_view text, const TableMa
     return base::fail(done.error());
   }
   addKnownFrom(read->trace, columns);
-  return importSignals(std::move(read->trace), columns, mapping);
+  return importedOf(std::move(read->trace), columns, mapping);
 }
 
 /// @param columns  with the roles that the format itself tells
@@ -947,6 +940,17 @@ base::Result<ImportedTrace> importDatasets(std::string_view bytes, const TableMa
 std::error_code make_error_code(ImportError code) {
   static const base::NamedCategory category("trace import");
   return {static_cast<int>(code), category};
+}
+
+base::Result<ImportedTrace> importSignals(SignalTrace trace, const TableMapping& mapping) {
+  std::vector<Column> columns = columnsOf(trace);
+  for (const ColumnRole& choice : mapping.columns) {
+    if (auto done = applyChoice(columns, choice); !done) {
+      return base::fail(done.error());
+    }
+  }
+  guessRoles(columns, mapping.isComplete, trace.remarks);
+  return importedOf(std::move(trace), columns, mapping);
 }
 
 base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMapping& mapping,

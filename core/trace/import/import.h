@@ -51,4 +51,10 @@ struct ImportedTrace {
                                                       const TableMapping& mapping = {},
                                                       const base::Budget& budget = {});
 
+/// Signals that have their own times, from elsewhere than a file; what they mean is guessed from
+/// their names. @param trace  each signal has a value or more
+/// @return error BadMapping
+[[nodiscard]] base::Result<ImportedTrace> importSignals(SignalTrace trace,
+                                                        const TableMapping& mapping = {});
+
 }  // namespace rivulet::trace

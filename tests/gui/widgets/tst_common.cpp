@@ -288,7 +288,7 @@ class TestCommon : public QObject {
     for (int code = 1; code <= static_cast<int>(streaming::StreamError::BadAirMove); ++code) {
       QVERIFY(!errorCodeText(make_error_code(static_cast<streaming::StreamError>(code))).isEmpty());
     }
-    for (int code = 1; code <= static_cast<int>(opcua::LinkError::NoHandles); ++code) {
+    for (int code = 1; code <= static_cast<int>(opcua::LinkError::NoHistory); ++code) {
       QVERIFY(!errorCodeText(make_error_code(static_cast<opcua::LinkError>(code))).isEmpty());
     }
   }
