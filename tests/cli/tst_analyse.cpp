@@ -88,6 +88,55 @@ class TestAnalyse : public QObject {
   }
 
  private Q_SLOTS:
+  /// A program that takes an address for a file says that it cannot be read (exit code 2).
+  void refusesSourcesThatAreNotThere() {
+    const QString nobody = QStringLiteral("http://127.0.0.1:1");
+#ifdef RIVULET_TEST_CURL
+    QCOMPARE(run({nobody}).exit, 3);
+#else
+    QCOMPARE(run({nobody}).exit, 2);
+#endif
+    QCOMPARE(run({nobody + QStringLiteral("?interval=1")}).exit, 2);
+    const QStringList history{QStringLiteral("opc.tcp://127.0.0.1:1"),
+                              QStringLiteral("--node"),
+                              QStringLiteral("x=i=5"),
+                              QStringLiteral("--since"),
+                              QStringLiteral("2026-01-02T03:00:00Z"),
+                              QStringLiteral("--to")};
+    QCOMPARE(run(history + QStringList{QStringLiteral("2026-01-02T04:00:00Z")}).exit, 3);
+    QCOMPARE(run(history + QStringList{QStringLiteral("2026-01-02T02:00:00Z")}).exit, 2);
+    const QString csv = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    for (const char* option : {"--record", "--keep", "--node", "--since"}) {
+      QCOMPARE(run({csv, QString::fromUtf8(option), QStringLiteral("1")}).exit, 2);
+    }
+  }
+
+  /// The document of an agent is a trace as a table is; its refusal is repeated.
+  void readsMtconnect() {
+    QByteArray text =
+        "<MTConnectStreams><Streams><DeviceStream name=\"m\"><ComponentStream "
+        "component=\"Linear\" name=\"X\"><Samples>";
+    for (int i = 0; i < 100; ++i) {
+      text += QStringLiteral(
+                  "<Position dataItemId=\"x\" sequence=\"%1\" "
+                  "timestamp=\"2026-01-02T03:04:05.%2Z\">%1</Position>")
+                  .arg(i + 1)
+                  .arg(i, 2, 10, QLatin1Char('0'))
+                  .toUtf8();
+    }
+    text += "</Samples></ComponentStream></DeviceStream></Streams></MTConnectStreams>";
+    const Outcome read = run({file("agent.xml", text), QStringLiteral("--json")});
+    QCOMPARE(read.exit, 0);
+    QCOMPARE(read.parsed()["format"].get<std::string>(), std::string("MTConnect"));
+    QCOMPARE(read.parsed()["columns"].get<std::string>(), std::string("x_act=x:mm"));
+    QCOMPARE(read.parsed()["samples"].get<int>(), 100);
+    const Outcome refused = run({file("refused.xml",
+                                      "<MTConnectError><Error errorCode=\"NO_DEVICE\">who?</Error>"
+                                      "</MTConnectError>")});
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(refused.errors.find("who? (NO_DEVICE)") != std::string::npos);
+  }
+
   void comparesATraceWithItsProgram() {
     const QString program = file("part.mpf", kProgram);
     const QString good = file("good.csv", traceText("t_s;x_cmd;y_cmd\n", false));
