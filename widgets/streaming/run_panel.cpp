@@ -294,7 +294,7 @@ void RunPanel::setProgram(std::size_t points) {
   m_update = {};
   m_runBegin = 0;
   m_stopState = StopState::None;
-  m_stopWithinS.reset();
+  m_feed.stopWithinS.reset();
   setTotal(points);
 }
 
@@ -355,13 +355,13 @@ void RunPanel::setOverrideAllowed(bool isAllowed, double maxPercent) {
 }
 
 void RunPanel::setStopWithin(const std::optional<double>& seconds) {
-  m_stopWithinS = seconds;
+  m_feed.stopWithinS = seconds;
   showStopNote();
 }
 
 void RunPanel::showStopNote() {
-  m_stop->setNote(m_stopWithinS ? tr("stands in %1").arg(secondsText(*m_stopWithinS, 1))
-                                : QString());
+  m_stop->setNote(m_feed.stopWithinS ? tr("stands in %1").arg(secondsText(*m_feed.stopWithinS, 1))
+                                     : QString());
 }
 
 bool RunPanel::hasFeedCell() const {

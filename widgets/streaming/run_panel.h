@@ -166,13 +166,13 @@ class RunPanel final : public Page {
   std::optional<JobProgress> m_job;
   bool m_hasWrongMotion = false;
   StopState m_stopState = StopState::None;
-  std::optional<double> m_stopWithinS;
   bool m_mayMove = false;
   std::size_t m_runBegin{0};
   /// Of the run in progress.
   struct Feed {
     std::optional<double> askedPercent;  ///< as override, last
     double liftMm = 0.0;                 ///< see `setLift`
+    std::optional<double> stopWithinS;   ///< see `setStopWithin`
   };
   Feed m_feed;
   bool m_canHold = false;

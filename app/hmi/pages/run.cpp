@@ -227,6 +227,14 @@ void connectFeed(CorrectionPanel* panel, RunController* runs) {
   QObject::connect(runs, &RunController::started, feed, &CorrectionFeed::forget);
 }
 
+/// What holding Start would do, and how soon Stop acts then.
+void followPreflight(RunPanel* panel, const Preflight& preflight) {
+  panel->setPreflightPassed(preflight.hasPassed() && !preflight.isForResume());
+  if (preflight.isOpen()) {
+    panel->setStopWithin(preflight.stopSeconds());
+  }
+}
+
 }  // namespace
 
 QWidget* makeMethodPanel(Document* document, RunController* runs) {
@@ -444,9 +452,12 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   QObject::connect(panel, &RunPanel::endRequested, runs, &RunController::end);
   QObject::connect(panel, &RunPanel::overrideRequested, runs, &RunController::setOverride);
   QObject::connect(panel, &RunPanel::liftRequested, runs, &RunController::lift);
-  QObject::connect(document, &Document::judged, panel, [panel, document] {
+  QObject::connect(document, &Document::judged, panel, [panel, document, runs, preflight] {
     const auto& flexible = document->findings().flexible;
     panel->setLift(flexible && flexible->cells.lifts ? document->parameters().liftMm : 0.0);
+    if (!runs->isRunning() && !preflight->isOpen()) {
+      panel->setStopWithin(std::nullopt);  // of other settings
+    }
   });
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
@@ -479,12 +490,8 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   QObject::connect(runs, &RunController::jobChanged, panel, showProgress);
   QObject::connect(runs, &RunController::started, panel,
                    [panel, runs] { panel->setRunBegin(runs->runBegin()); });
-  QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
-    panel->setPreflightPassed(preflight->hasPassed() && !preflight->isForResume());
-    if (preflight->isOpen()) {
-      panel->setStopWithin(preflight->stopSeconds());
-    }
-  });
+  QObject::connect(preflight, &Preflight::changed, panel,
+                   [panel, preflight] { followPreflight(panel, *preflight); });
   QObject::connect(document, &Document::programLoaded, panel,
                    [panel, document] { panel->setProgram(document->points().size()); });
   QObject::connect(document, &Document::programPlaced, panel, [panel, document, runs] {
