@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "imported_text.h"
 #include "support/test_program.h"
 #include "trace/import/clock_text.h"
 #include "trace/import/compression.h"
@@ -14,31 +15,9 @@
 
 using namespace rivulet;
 using namespace rivulet::trace;
-
-namespace {
-
-ImportedTrace imported(std::string_view text, const TableMapping& mapping = {}) {
-  auto result = importTrace(text, mapping);
-  if (!result) {
-    qWarning("%s", result.error().message.c_str());
-    return {};
-  }
-  return std::move(*result);
-}
-
-std::string roles(const ImportedTrace& trace) {
-  return printColumnRoles(trace.columns);
-}
-
-std::string remarks(const ImportedTrace& trace) {
-  std::string text;
-  for (const Remark& remark : trace.trace.remarks) {
-    text += (text.empty() ? "" : "\n") + remarkText(remark);
-  }
-  return text;
-}
-
-}  // namespace
+using tests::imported;
+using tests::remarks;
+using tests::roles;
 
 class TestImport : public QObject {
   Q_OBJECT

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "base/utc.h"
+#include "imported_text.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"
 #include "trace/import/compression.h"
@@ -19,6 +20,9 @@
 using namespace rivulet;
 using namespace rivulet::trace;
 using std::chrono::milliseconds;
+using tests::imported;
+using tests::remarks;
+using tests::roles;
 
 namespace {
 
@@ -75,27 +79,6 @@ class Answer {
   int m_sequence = 0;
   int m_components = 0;
 };
-
-ImportedTrace imported(std::string_view text, const TableMapping& mapping = {}) {
-  auto result = importTrace(text, mapping);
-  if (!result) {
-    qWarning("%s", result.error().message.c_str());
-    return {};
-  }
-  return std::move(*result);
-}
-
-std::string roles(const ImportedTrace& trace) {
-  return printColumnRoles(trace.columns);
-}
-
-std::string remarks(const ImportedTrace& trace) {
-  std::string text;
-  for (const Remark& remark : trace.trace.remarks) {
-    text += (text.empty() ? "" : "\n") + remarkText(remark);
-  }
-  return text;
-}
 
 bool says(const ImportedTrace& trace, std::string_view words) {
   const bool does = remarks(trace).find(words) != std::string::npos;
