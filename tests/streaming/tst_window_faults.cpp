@@ -45,7 +45,7 @@ class Follower {
       const bool moves = block.lengthMm > kMovedMm || block.turnDeg > kMovedMm;
       if (isDue(m_due, block)) {
         ++m_due;
-      } else if (isFirst && m_resetAt && moves) {
+      } else if (isFirst && !m_resets.empty() && moves) {
         if (!catchUp(block)) {
           return QStringLiteral("behind a reset: not the point due (%1)").arg(m_due);
         }
@@ -61,11 +61,11 @@ class Follower {
       }
       isFirst = isFirst && !moves;
     }
-    if (!segment.trace.blocks.empty() || segment.wasReset) {
-      m_resetAt.reset();
-      if (segment.wasReset) {
-        m_resetAt = base::AxisPosition{segment.endMm, segment.endDeg};
-      }
+    if (!segment.trace.blocks.empty()) {
+      m_resets.clear();
+    }
+    if (segment.wasReset) {
+      m_resets.push_back({segment.endMm, segment.endDeg});
     }
     return {};
   }
@@ -89,7 +89,9 @@ class Follower {
 
   bool catchUp(const trace::ExecutedBlock& block) {
     const auto isThere = [this](std::size_t point) {
-      return isAt(point, m_resetAt->mm, m_resetAt->deg, kResetMm);
+      return std::any_of(m_resets.begin(), m_resets.end(), [&](const base::AxisPosition& at) {
+        return isAt(point, at.mm, at.deg, kResetMm);
+      });
     };
     for (std::size_t point = m_due; point < m_points.size(); ++point) {
       if (isDue(point, block)) {
@@ -115,7 +117,9 @@ class Follower {
   std::size_t m_due = 0;
   std::size_t m_caughtUp = 0;
   base::RotarySet m_rotaryAxes;
-  std::optional<base::AxisPosition> m_resetAt;
+  /// Where the control was reset since the last block: one reset may leave the tool at a point
+  /// whose block it has cut off, and the next one beyond.
+  std::vector<base::AxisPosition> m_resets;
 };
 
 struct Tally {
@@ -175,9 +179,11 @@ void count(const FaultEvidence& evidence, Tally& tally) {
   }
 }
 
-/// Faster than programmed?
+/// Faster than programmed? Another writer may have set any override that the program obeys.
 QString feedsOf(const FaultScenario& drawn, const FaultEvidence& evidence) {
-  const double most = drawn.run.scenario.settings.feedMmPerS * (1.0 + 1e-9);
+  using templates::FeedCell;
+  const double raised = evidence.intrusions > 0 ? FeedCell::kMax / FeedCell::kProgrammed : 1.0;
+  const double most = drawn.run.scenario.settings.feedMmPerS * raised * (1.0 + 1e-9);
   for (const FaultSegment& segment : evidence.segments) {
     for (const trace::ControlSample& sample : segment.trace.samples) {
       if (sample.feedMmPerS > most) {
