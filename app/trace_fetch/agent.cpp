@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "trace/import/mtconnect.h"
@@ -17,13 +16,6 @@ namespace {
 
 /// An agent that forgets more often than that while it is read is never caught up with.
 constexpr int kLostMax = 20;
-
-std::optional<std::uint64_t> wholeNumber(std::string_view text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool isWhole = error == std::errc() && end == text.data() + text.size();
-  return isWhole ? std::optional(number) : std::nullopt;
-}
 
 /// Reads one agent once.
 class AgentReader {
@@ -256,7 +248,7 @@ base::Result<AgentAddress> parseAgentAddress(std::string_view text) {
     const std::size_t equal = std::min(item.find('='), item.size());
     const std::string_view name = item.substr(0, equal);
     const std::string_view value = item.substr(std::min(equal + 1, item.size()));
-    const auto number = wholeNumber(value);
+    const auto number = trace::mtconnectNumber(value);
     if (name == "path" && !value.empty()) {
       address.path = value;
     } else if (name == "from" && number) {

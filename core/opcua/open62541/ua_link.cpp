@@ -781,6 +781,7 @@ base::Result<std::vector<BrowsedNode>> UaLink::children(const std::string& addre
 base::Result<NodeValues> UaLink::history(const std::string& address, const HistorySpan& span) {
   return m_impl->history(address, span);
 }
+
 base::Result<std::vector<NodeFacts>> UaLink::examine(std::span<const std::string> addresses) {
   return m_impl->examine(addresses);
 }

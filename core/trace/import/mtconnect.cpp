@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -439,6 +440,13 @@ bool isMtconnect(std::string_view text) {
   const std::string_view root = xmlRoot(text);
   return root == "MTConnectStreams" || root == "MTConnectDevices" || root == "MTConnectError" ||
          root == "MTConnectAssets";
+}
+
+std::optional<std::uint64_t> mtconnectNumber(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool isWhole = error == std::errc() && end == text.data() + text.size();
+  return isWhole ? std::optional(number) : std::nullopt;
 }
 
 std::optional<MtconnectHeader> readMtconnectHeader(std::string_view text) {

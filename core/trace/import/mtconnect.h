@@ -53,6 +53,8 @@ struct MtconnectHeader {
   std::uint64_t lastSequence = 0;
   std::uint64_t nextSequence = 0;  ///< of the first observation after the answer
 };
+/// A sequence number, or a count of observations; nothing: the text is no whole number.
+[[nodiscard]] std::optional<std::uint64_t> mtconnectNumber(std::string_view text);
 /// Of the first document; nothing: the text is of no agent.
 [[nodiscard]] std::optional<MtconnectHeader> readMtconnectHeader(std::string_view text);
 

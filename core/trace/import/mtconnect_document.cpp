@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/text.h"
@@ -105,12 +104,6 @@ std::optional<base::Instant> instantOf(std::string_view text) {
     nanoseconds = 10 * nanoseconds + (point + i < end ? text[point + i] - '0' : 0);
   }
   return base::Instant{base::fromSeconds(whole->seconds) + base::Duration{nanoseconds}};
-}
-
-std::uint64_t wholeNumber(std::string_view text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? number : 0;
 }
 
 std::optional<double> finiteNumber(std::string_view text) {
@@ -212,9 +205,8 @@ void DocumentReader::start(const XmlToken& tag) {
   if (m_opened) {
     m_hasChildren = true;
     m_depth += tag.isEmpty ? 0 : 1;
-  } else if (m_root == "MTConnectError" && !xmlAttribute(tag, "errorCode").empty()) {
-    open(tag);
-  } else if (m_category != Category::None) {
+  } else if (m_category != Category::None ||
+             (m_root == "MTConnectError" && !xmlAttribute(tag, "errorCode").empty())) {
     open(tag);
   } else if (tag.name == "DataItem") {
     describe(tag);
@@ -370,7 +362,7 @@ Item& DocumentReader::itemOf(std::string_view type, std::size_t coordinate) {
 
 void DocumentReader::add(Item& item, base::Instant at, double value) {
   m_content.bytes += kObservedBytes + kAnalysedSampleBytes;
-  item.values.push_back({at, m_documents, wholeNumber(m_opened->sequence), value});
+  item.values.push_back({at, m_documents, mtconnectNumber(m_opened->sequence).value_or(0), value});
 }
 
 /// Numbers of one item, three of a place; words of an event.
@@ -476,7 +468,7 @@ base::Result<Content> readDocuments(std::string_view text, const base::Budget& b
 
 MtconnectHeader headerOf(const XmlToken& tag) {
   const auto number = [&tag](std::string_view name) {
-    return wholeNumber(xmlAttribute(tag, name));
+    return mtconnectNumber(xmlAttribute(tag, name)).value_or(0);
   };
   return {{},
           number("instanceId"),
