@@ -4,14 +4,6 @@
 <context>
     <name>AccessTexts</name>
     <message>
-        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
-        <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Siehe Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
-        <translation>Zugriff angenommen wie in [P1]: %1 je Zelle. Die Kalibrierung vom %2 gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
-    </message>
-    <message>
         <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
         <translation>Zugriff kalibriert am %1 (%2): t = %3; Lesen %4, Schreiben %5.</translation>
     </message>
@@ -35,18 +27,26 @@
         <source>a server without a name</source>
         <translation>ein Server ohne Namen</translation>
     </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. See Calibration.</source>
+        <translation>Der Zugriff ist angenommen: %1 je R-Parameter. Siehe Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>Der Zugriff ist angenommen: %1 je R-Parameter. Die Kalibrierung vom %2 gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
+    </message>
     <message numerus="yes">
-        <source>99 % of the writes of %n cells end within %1.</source>
+        <source>99 % of the writes of %n R-parameters end within %1.</source>
         <translation>
-            <numerusform>99&#xa0;% der Schreibzugriffe auf %n Zelle enden innerhalb von %1.</numerusform>
-            <numerusform>99&#xa0;% der Schreibzugriffe auf %n Zellen enden innerhalb von %1.</numerusform>
+            <numerusform>99 % der Schreibzugriffe auf %n R-Parameter enden innerhalb von %1.</numerusform>
+            <numerusform>99 % der Schreibzugriffe auf %n R-Parameter enden innerhalb von %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Up to %n cells were measured.</source>
+        <source>Up to %n R-parameters were measured.</source>
         <translation>
-            <numerusform>Gemessen wurde bis zu %n Zelle.</numerusform>
-            <numerusform>Gemessen wurden bis zu %n Zellen.</numerusform>
+            <numerusform>Gemessen wurde bis zu %n R-Parameter.</numerusform>
+            <numerusform>Gemessen wurden bis zu %n R-Parameter.</numerusform>
         </translation>
     </message>
 </context>
@@ -1060,10 +1060,6 @@
         <translation>Der Konturfehler weicht dort um %1 von %2 ab (RMS).</translation>
     </message>
     <message>
-        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
-        <translation>Er wurde nur an Abschnitten derselben Aufzeichnungen geprüft: richtig auf %1 (RMS). Die Aufzeichnung eines anderen Programms hinzufügen und zum Prüfen nehmen.</translation>
-    </message>
-    <message>
         <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
         <translation>Gut, um Programme mit %1 bis %2 zu simulieren und ihre Dauer zu schätzen. Schnelleres ist nicht geprüft.</translation>
     </message>
@@ -1078,6 +1074,10 @@
     <message>
         <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
         <translation>Beschleunigung und Ruck sind begrenzt, wie es die Sollwerte zeigen (%1), alles andere wie in der Vorgabe %2.</translation>
+    </message>
+    <message>
+        <source>It was tested only on parts of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Er wurde nur an Teilen derselben Aufzeichnungen geprüft: richtig auf %1 (RMS). Die Aufzeichnung eines anderen Programms hinzufügen und zum Prüfen nehmen.</translation>
     </message>
 </context>
 <context>
@@ -1235,10 +1235,6 @@
         <translation>Das Programm auf der Steuerung endete, bevor alles ausgeführt war.</translation>
     </message>
     <message>
-        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
-        <translation>Die Zellen des Verfahrens Fenster liegen außerhalb des Bereichs. Basis, Schrittweite und Anzahl der Fenster prüfen.</translation>
-    </message>
-    <message>
         <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
         <translation>Ein anderer Client benutzt das Programm auf der Steuerung. Rivulet schreibt nichts mehr: warten, bis der andere Client fertig ist, oder an der Steuerung Reset drücken.</translation>
     </message>
@@ -1265,22 +1261,6 @@
     <message>
         <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
         <translation>Die Steuerung lässt Rivulet keine Teileprogramme schreiben und lesen. Dem OPC-UA-Benutzer diese Rechte geben oder die Vorlage von Hand übertragen.</translation>
-    </message>
-    <message>
-        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
-        <translation>Diese Zellen sind nicht verwendbar. R-Parameter wählen, die es gibt (MD28050).</translation>
-    </message>
-    <message>
-        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
-        <translation>Auf der Steuerung läuft ein Programm: Die Messung wurde beendet. Die Zellen haben ihre alten Werte.</translation>
-    </message>
-    <message>
-        <source>The calibration was cancelled. The cells have their old values.</source>
-        <translation>Die Kalibrierung wurde abgebrochen. Die Zellen haben ihre alten Werte.</translation>
-    </message>
-    <message>
-        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
-        <translation>Die Zellen konnten nicht wiederhergestellt werden und enthalten vielleicht Testwerte. An der Steuerung setzen.</translation>
     </message>
     <message>
         <source>Only method window streams rotary axes. Choose it.</source>
@@ -1571,10 +1551,6 @@
         <translation>Der Text lässt offen, was er bedeutet. Den Dialekt, die Einheit oder die Lesart von Zahlen ohne Dezimalpunkt wählen.</translation>
     </message>
     <message>
-        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
-        <translation>Die Steuerung gehorcht der Vorschubzelle nicht: Halt, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob eine SINUMERIK Synchronaktionen hat und ein LinuxCNC die Komponenten aus docs/linuxcnc.md.</translation>
-    </message>
-    <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>Der gerade Weg zum ersten Punkt führt durch den Bereich, in dem das Programm schneidet. Heben Sie zuerst das Werkzeug ab.</translation>
     </message>
@@ -1601,6 +1577,30 @@
     <message>
         <source>The server keeps no history of this node. Have it recorded at the server.</source>
         <translation>Der Server zeichnet keinen Verlauf dieses Knotens auf. Ihn am Server aufzeichnen lassen.</translation>
+    </message>
+    <message>
+        <source>The R-parameters of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Die R-Parameter des Verfahrens Fenster liegen außerhalb des Bereichs. Basis, Schrittweite und Anzahl der Fenster prüfen.</translation>
+    </message>
+    <message>
+        <source>These R-parameters cannot be used. Choose some that exist (MD28050).</source>
+        <translation>Diese R-Parameter sind nicht verwendbar. Wählen Sie solche, die es gibt (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The R-parameters have their old values.</source>
+        <translation>Auf der Steuerung läuft ein Programm: Die Messung wurde beendet. Die R-Parameter haben ihre alten Werte.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The R-parameters have their old values.</source>
+        <translation>Die Kalibrierung wurde abgebrochen. Die R-Parameter haben ihre alten Werte.</translation>
+    </message>
+    <message>
+        <source>The R-parameters could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Die R-Parameter ließen sich nicht zurückschreiben und enthalten vielleicht Testwerte. Setzen Sie sie an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>Die Steuerung gehorcht dem Override nicht: Pause, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob eine SINUMERIK Synchronaktionen hat und ein LinuxCNC die Komponenten aus docs/linuxcnc.md.</translation>
     </message>
 </context>
 <context>
@@ -2005,10 +2005,6 @@
         <translation>%1 um %2 mit %3 bewegt; angehalten stand sie nach %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
-        <translation>Stopp, Pause und Override wirken sofort, weil die Steuerung in jedem Interpolationstakt einer Zelle gehorcht. Dieser Test stellt fest, ob sie es tut: zuerst ohne Bewegung, dann, wenn Sie zustimmen, mit einer Achse, die in der Luft hin und her fährt und unterwegs angehalten wird. Der Kanal muss im Reset sein.</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. Der Override wird geändert, während die Achse fährt. Danach noch einmal NC-Start drücken: Das nächste Programm muss mit seinem eigenen Vorschub fahren, und nur die Steuerung kann es anhalten.</translation>
     </message>
@@ -2065,10 +2061,6 @@
         <translation>Das nächste Programm fährt mit seinem eigenen Vorschub.</translation>
     </message>
     <message>
-        <source>No other client writes the feed cell.</source>
-        <translation>Kein anderer Client schreibt in die Vorschubzelle.</translation>
-    </message>
-    <message>
         <source>; the tool may be lifted by %1</source>
         <translation>; das Werkzeug darf um %1 abgehoben werden</translation>
     </message>
@@ -2099,6 +2091,14 @@
     <message>
         <source>Let go, the axis moves only when the tool is back.</source>
         <translation>Freigegeben fährt die Achse erst, wenn das Werkzeug zurück ist.</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys an R-parameter in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Stopp, Pause und Override wirken sofort, weil die Steuerung in jedem Interpolationstakt einem R-Parameter gehorcht. Dieser Test stellt fest, ob sie es tut: zuerst ohne Bewegung, dann, wenn Sie zustimmen, mit einer Achse, die in der Luft hin und her fährt und unterwegs angehalten wird. Der Kanal muss im Reset sein.</translation>
+    </message>
+    <message>
+        <source>No other client writes the override of this test.</source>
+        <translation>Kein anderer Client schreibt den Override dieses Tests.</translation>
     </message>
 </context>
 <context>
@@ -2469,8 +2469,8 @@
         <translation>Nicht erreichbar: vor %1 keine Antwort</translation>
     </message>
     <message>
-        <source>test of the feed cell</source>
-        <translation>Test der Vorschubzelle</translation>
+        <source>stop test</source>
+        <translation>Stopp-Test</translation>
     </message>
 </context>
 <context>
@@ -2730,8 +2730,8 @@
         <translation>Ohne diesen Rechner stehen die Achsen nach 0,2 bis 60 s; 0: gar nicht.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
-        <translation>Ohne erprobte Vorschubzelle dauert ein Fenster höchstens 0,5 bis 600 s.</translation>
+        <source>Without a passed stop test a window takes at most 0.5 to 600 s.</source>
+        <translation>Ohne bestandenen Stopp-Test dauert ein Fenster höchstens 0,5 bis 600 s.</translation>
     </message>
 </context>
 <context>
@@ -5047,10 +5047,6 @@ GPL-3.0-or-later</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
-        <translation>Diese Methode hat keine Vorschubzelle: Nach Stopp führt die Steuerung ihre Schleife noch aus, höchstens %1 in %2.</translation>
-    </message>
-    <message>
         <source>The axes stand at once, on the path. How long they brake is not known.</source>
         <translation>Die Achsen stehen sofort, auf der Bahn. Wie lange sie bremsen, ist nicht bekannt.</translation>
     </message>
@@ -5213,6 +5209,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without a factor for %1 your override acts alone.</source>
         <translation>Ohne Faktor seit %1 wirkt nur Ihr Override.</translation>
+    </message>
+    <message>
+        <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Mit dieser Methode führt die Steuerung nach Stopp ihre Schleife noch aus, höchstens %1 in %2.</translation>
     </message>
 </context>
 <context>
@@ -5750,10 +5750,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
     <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
         <source>to</source>
         <translation>bis</translation>
     </message>
@@ -5768,10 +5764,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>no limit</source>
         <translation>unbegrenzt</translation>
-    </message>
-    <message>
-        <source>Arrays too: for the test, the cells hold other values for a moment</source>
-        <translation>Auch Felder: Für den Test stehen kurz andere Werte in den Zellen</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
@@ -5810,20 +5802,8 @@ GPL-3.0-or-later</translation>
         <translation>%1 von %2 Messungen, %3</translation>
     </message>
     <message>
-        <source>Restoring the cells …</source>
-        <translation>Zellen werden wiederhergestellt …</translation>
-    </message>
-    <message>
-        <source>The last cell is before the first.</source>
-        <translation>Die letzte Zelle liegt vor der ersten.</translation>
-    </message>
-    <message>
         <source>Takes about %1.</source>
         <translation>Dauert etwa %1.</translation>
-    </message>
-    <message>
-        <source>Confirm the cells to begin.</source>
-        <translation>Zum Beginnen die Zellen bestätigen.</translation>
     </message>
     <message>
         <source>%1, %2, R%3 to R%4, took %5</source>
@@ -5842,8 +5822,28 @@ GPL-3.0-or-later</translation>
         <translation>Die Zeit reichte nicht für alle Messungen: Verringerte Anzahlen stehen fett in der Tabelle.</translation>
     </message>
     <message>
-        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
-        <translation>Diese Maschine ist nicht kalibriert: Angenommen werden %1 je Zelle wie in [P1].</translation>
+        <source>Restoring the R-parameters …</source>
+        <translation>R-Parameter werden zurückgeschrieben …</translation>
+    </message>
+    <message>
+        <source>The last R-parameter is before the first.</source>
+        <translation>Der letzte R-Parameter liegt vor dem ersten.</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters to begin.</source>
+        <translation>Zum Beginnen die R-Parameter bestätigen.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 for each R-parameter are assumed.</source>
+        <translation>Diese Maschine ist nicht kalibriert: Je R-Parameter werden %1 angenommen.</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>R-Parameter</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, they hold other values for a moment</source>
+        <translation>Auch Felder: Für den Test stehen kurz andere Werte darin</translation>
     </message>
 </context>
 <context>
@@ -6415,10 +6415,6 @@ GPL-3.0-or-later</translation>
         <translation>Die Steuerung ist keine SINUMERIK</translation>
     </message>
     <message>
-        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
-        <translation>Eine Zuordnung sagt, unter welchen Namen diese Steuerung ihre Zellen, Achsen und Zustände hat. rivulet-cli map schlägt eine vor.</translation>
-    </message>
-    <message>
         <source>File with the map (.toml). It is remembered for this machine.</source>
         <translation>Datei mit der Zuordnung (.toml). Sie wird für diese Maschine gemerkt.</translation>
     </message>
@@ -6429,6 +6425,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
         <translation>Mit welcher Bibliothek die Maschine verbunden wird. Qt OPC UA ist langsamer, verschlüsselt nicht und nimmt weder Zuordnung noch Benutzer.</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its memory, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Eine Zuordnung sagt, unter welchen Namen diese Steuerung ihren Speicher, ihre Achsen und Zustände hat. rivulet-cli map schlägt eine vor.</translation>
     </message>
 </context>
 <context>
@@ -6825,10 +6825,6 @@ GPL-3.0-or-later</translation>
         <translation>Noch ist nichts gelernt.</translation>
     </message>
     <message>
-        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
-        <translation>An Abschnitten, die beim Lernen zurückgehalten wurden (RMS): %1. Aus einer Aufzeichnung zum Prüfen wurde gar nichts gelernt.</translation>
-    </message>
-    <message>
         <source>Reading %1 …</source>
         <translation>Liest %1 …</translation>
     </message>
@@ -6933,10 +6929,6 @@ GPL-3.0-or-later</translation>
         <translation>Vorgabe mit den Grenzen der Maschine; mit ihnen werden Sollwerte aus Programmen geplant</translation>
     </message>
     <message>
-        <source>Error on stretches held out, while learning</source>
-        <translation>Fehler an zurückgehaltenen Abschnitten während des Lernens</translation>
-    </message>
-    <message>
         <source>Models tried</source>
         <translation>Probierte Modelle</translation>
     </message>
@@ -7015,6 +7007,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>On parts that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>An Teilen, die beim Lernen zurückgehalten wurden (RMS): %1. Aus einer Aufzeichnung zum Prüfen wurde gar nichts gelernt.</translation>
+    </message>
+    <message>
+        <source>Error on parts held out, while learning</source>
+        <translation>Fehler an zurückgehaltenen Teilen beim Lernen</translation>
     </message>
 </context>
 <context>
@@ -7312,16 +7312,16 @@ GPL-3.0-or-later</translation>
         <translation>Je Anfrage (a)</translation>
     </message>
     <message>
-        <source>Per cell (b)</source>
-        <translation>Je Zelle (b)</translation>
-    </message>
-    <message>
-        <source>± per cell</source>
-        <translation>± je Zelle</translation>
-    </message>
-    <message>
         <source>Residual</source>
         <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Per R-parameter (b)</source>
+        <translation>Je R-Parameter (b)</translation>
+    </message>
+    <message>
+        <source>± of b</source>
+        <translation>± von b</translation>
     </message>
 </context>
 <context>
@@ -7451,10 +7451,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::LinesChart</name>
     <message>
-        <source>Cells of the request</source>
-        <translation>Zellen der Anfrage</translation>
-    </message>
-    <message>
         <source>Duration, ms</source>
         <translation>Dauer, ms</translation>
     </message>
@@ -7465,6 +7461,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>read</source>
         <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>R-parameters of the request</source>
+        <translation>R-Parameter der Anfrage</translation>
     </message>
 </context>
 <context>
@@ -8267,10 +8267,6 @@ GPL-3.0-or-later</translation>
         <translation>N (Punkte je Fenster)</translation>
     </message>
     <message>
-        <source>This method does not use δ: it watches a cell, not the tool</source>
-        <translation>Dieses Verfahren benutzt δ nicht: Es beobachtet eine Zelle, nicht das Werkzeug</translation>
-    </message>
-    <message>
         <source>Reach: the next window must be written while the tool executes the current one.</source>
         <translation>Reichweite: Das nächste Fenster muss geschrieben sein, während das Werkzeug das aktuelle abarbeitet.</translation>
     </message>
@@ -8293,10 +8289,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Credit (experimental)</source>
         <translation>Kredit (experimentell)</translation>
-    </message>
-    <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
-        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet eine Zelle, in der das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test der Seite Kredit-Test bestanden hat.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>
@@ -8473,6 +8465,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches an R-parameter, not the tool</source>
+        <translation>Diese Methode verwendet δ nicht: Sie beobachtet einen R-Parameter, nicht das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet einen R-Parameter, in dem das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test der Seite Kredit-Test bestanden hat.</translation>
     </message>
 </context>
 <context>
@@ -9373,12 +9373,12 @@ GPL-3.0-or-later</translation>
         <translation>Ohne diesen Rechner stehen die Achsen nach, s</translation>
     </message>
     <message>
-        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
-        <translation>Wo ein Stopp sicher erst vor dem nächsten Fenster wirkt, weil diese Steuerung den Test der Vorschubzelle nicht bestanden hat, dauert kein Fenster aus mehreren Wegen länger.</translation>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the stop test, no window of several moves takes longer.</source>
+        <translation>Wo ein Stopp sicher erst vor dem nächsten Fenster wirkt, weil diese Steuerung den Stopp-Test nicht bestanden hat, dauert kein Fenster aus mehreren Sätzen länger.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most, s</source>
-        <translation>Ohne erprobte Vorschubzelle dauert ein Fenster höchstens, s</translation>
+        <source>Without a passed stop test a window takes at most, s</source>
+        <translation>Ohne bestandenen Stopp-Test dauert ein Fenster höchstens, s</translation>
     </message>
 </context>
 <context>
@@ -10087,24 +10087,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Sent</source>
-        <translation>Gesendet</translation>
-    </message>
-    <message>
-        <source>Accepted</source>
-        <translation>Angenommen</translation>
-    </message>
-    <message>
         <source>Executed</source>
         <translation>Ausgeführt</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
-        <translation>Zeit, bis die Steuerung den nächsten Punkt braucht, minus 99. Perzentil der Zugriffszeit</translation>
     </message>
     <message>
         <source>Start is not possible: %1</source>
@@ -10129,10 +10113,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>(too late)</source>
-        <translation>(zu spät)</translation>
     </message>
     <message>
         <source>Resume …</source>
@@ -10263,20 +10243,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Restzeit</translation>
     </message>
     <message>
-        <source>Buffer</source>
-        <translation>Puffer</translation>
-    </message>
-    <message>
         <source>Points that are known to be executed</source>
         <translation>Punkte, die nachweislich ausgeführt sind</translation>
-    </message>
-    <message>
-        <source>Points that were sent to the control</source>
-        <translation>Punkte, die an die Steuerung gesendet wurden</translation>
-    </message>
-    <message>
-        <source>Points that the control has confirmed</source>
-        <translation>Punkte, deren Empfang die Steuerung bestätigt hat</translation>
     </message>
     <message>
         <source>Only the computer that streams this run knows it.</source>
@@ -10301,14 +10269,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1, pauses %2</source>
         <translation>%1, Pausen %2</translation>
-    </message>
-    <message>
-        <source>Known while points have to be sent.</source>
-        <translation>Bekannt, solange Punkte zu liefern sind.</translation>
-    </message>
-    <message>
-        <source>Points that the control has and that are not known to be executed</source>
-        <translation>Punkte, die die Steuerung hat und die noch nicht nachweislich ausgeführt sind</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -10365,13 +10325,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
             <numerusform>%Ln Fenster</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln pts</source>
-        <translation>
-            <numerusform>%Ln Pkt.</numerusform>
-            <numerusform>%Ln Pkt.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Punkte, die nachweislich ausgeführt sind, ab Punkt %1</translation>
@@ -10419,10 +10372,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>The axes stand at once, until you press Continue.</source>
         <translation>Die Achsen stehen sofort, bis Sie Weiter drücken.</translation>
-    </message>
-    <message>
-        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Die Achsen stehen sofort, wenn das Programm eine Vorschubzelle hat, sonst am Ende seines Fensters. Escape tut dasselbe, überall in diesem Fenster. Es ersetzt nicht den Not-Halt der Maschine.</translation>
     </message>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
@@ -10487,6 +10436,41 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>stands in %1</source>
         <translation>steht in %1</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program obeys this computer&apos;s override, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Die Achsen stehen sofort, wenn das Programm dem Override dieses Rechners gehorcht, sonst am Ende seines Fensters. Escape tut dasselbe, überall in diesem Fenster. Es ersetzt nicht den Not-Halt der Maschine.</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>Sent to the control: %1, confirmed by it: %2</source>
+        <translation>An die Steuerung gesendet: %1, von ihr bestätigt: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moves in hand</source>
+        <translation>
+            <numerusform>%Ln Satz voraus</numerusform>
+            <numerusform>%Ln Sätze voraus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moves in hand: what the control has and has not executed yet.</source>
+        <translation>Sätze voraus: was die Steuerung hat und noch nicht ausgeführt hat.</translation>
+    </message>
+    <message>
+        <source>late, %1</source>
+        <translation>zu spät, %1</translation>
+    </message>
+    <message>
+        <source>on time, %1</source>
+        <translation>rechtzeitig, %1</translation>
+    </message>
+    <message>
+        <source>Margin %1: time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Reserve %1: Zeit, bis die Steuerung den nächsten Punkt braucht, minus 99. Perzentil der Zugriffszeit</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10748,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Zugriff</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
         <source>Shots</source>
         <translation>Anzahl</translation>
     </message>
@@ -10782,6 +10762,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>R-Parameter</translation>
     </message>
 </context>
 <context>
@@ -11378,10 +11362,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Speichern…</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
         <source>No template: %1</source>
         <translation>Keine Vorlage: %1</translation>
     </message>
@@ -11408,6 +11388,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
         <translation>Ein Blatt mit den Schritten an der Steuerung, den Rechten, was der Bediener sieht, und wie alles zurückgenommen wird</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>R-Parameter</translation>
     </message>
 </context>
 <context>
@@ -11467,6 +11451,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Start at the chosen line. First it is shown what would move.</source>
         <translation>An der gewählten Zeile starten. Zuerst wird gezeigt, was sich bewegen würde.</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
+        <translation>Im Text suchen (Strg+F) oder zu einer Zeile gehen (Strg+G)</translation>
     </message>
 </context>
 <context>

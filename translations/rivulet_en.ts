@@ -4,17 +4,17 @@
 <context>
     <name>AccessTexts</name>
     <message numerus="yes">
-        <source>99 % of the writes of %n cells end within %1.</source>
+        <source>99 % of the writes of %n R-parameters end within %1.</source>
         <translation>
-            <numerusform>99 % of the writes of %n cell end within %1.</numerusform>
-            <numerusform>99 % of the writes of %n cells end within %1.</numerusform>
+            <numerusform>99 % of the writes of %n R-parameter end within %1.</numerusform>
+            <numerusform>99 % of the writes of %n R-parameters end within %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Up to %n cells were measured.</source>
+        <source>Up to %n R-parameters were measured.</source>
         <translation>
-            <numerusform>Up to %n cell was measured.</numerusform>
-            <numerusform>Up to %n cells were measured.</numerusform>
+            <numerusform>Up to %n R-parameter was measured.</numerusform>
+            <numerusform>Up to %n R-parameters were measured.</numerusform>
         </translation>
     </message>
 </context>
@@ -292,10 +292,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln pts</source>
+        <source>%Ln moves in hand</source>
         <translation>
-            <numerusform>%Ln pt</numerusform>
-            <numerusform>%Ln pts</numerusform>
+            <numerusform>%Ln move in hand</numerusform>
+            <numerusform>%Ln moves in hand</numerusform>
         </translation>
     </message>
 </context>

@@ -4,14 +4,6 @@
 <context>
     <name>AccessTexts</name>
     <message>
-        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
-        <translation>Acceso supuesto como en [P1]: %1 por celda. Véase Calibración.</translation>
-    </message>
-    <message>
-        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
-        <translation>Acceso supuesto como en [P1]: %1 por celda. La calibración del %2 corresponde a otra versión del servidor y no se utiliza.</translation>
-    </message>
-    <message>
         <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
         <translation>Acceso calibrado el %1 (%2): t = %3; lectura %4, escritura %5.</translation>
     </message>
@@ -35,18 +27,26 @@
         <source>a server without a name</source>
         <translation>un servidor sin nombre</translation>
     </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. See Calibration.</source>
+        <translation>El acceso se supone: %1 por parámetro R. Véase Calibración.</translation>
+    </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>El acceso se supone: %1 por parámetro R. La calibración del %2 corresponde a otra versión del servidor y no se utiliza.</translation>
+    </message>
     <message numerus="yes">
-        <source>99 % of the writes of %n cells end within %1.</source>
+        <source>99 % of the writes of %n R-parameters end within %1.</source>
         <translation>
-            <numerusform>El 99&#xa0;% de las escrituras de %n celda termina en menos de %1.</numerusform>
-            <numerusform>El 99&#xa0;% de las escrituras de %n celdas termina en menos de %1.</numerusform>
+            <numerusform>El 99 % de las escrituras de %n parámetro R termina en menos de %1.</numerusform>
+            <numerusform>El 99 % de las escrituras de %n parámetros R termina en menos de %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Up to %n cells were measured.</source>
+        <source>Up to %n R-parameters were measured.</source>
         <translation>
-            <numerusform>Se midió hasta %n celda.</numerusform>
-            <numerusform>Se midieron hasta %n celdas.</numerusform>
+            <numerusform>Se midió hasta %n parámetro R.</numerusform>
+            <numerusform>Se midieron hasta %n parámetros R.</numerusform>
         </translation>
     </message>
 </context>
@@ -1060,10 +1060,6 @@
         <translation>El error de contorno se desvía allí %1 de %2 (RMS).</translation>
     </message>
     <message>
-        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
-        <translation>Solo se comprobó con tramos de las mismas grabaciones: acierta dentro de %1 (RMS). Añadir la grabación de otro programa y usarla para comprobar.</translation>
-    </message>
-    <message>
         <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
         <translation>Sirve para simular programas que mueven %1 hasta %2 y estimar su duración. Lo más rápido no está comprobado.</translation>
     </message>
@@ -1078,6 +1074,10 @@
     <message>
         <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
         <translation>La aceleración y la sobreaceleración se limitan como muestran las consignas (%1); todo lo demás, como en el preajuste %2.</translation>
+    </message>
+    <message>
+        <source>It was tested only on parts of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Solo se comprobó con partes de las mismas grabaciones: acierta dentro de %1 (RMS). Añadir la grabación de otro programa y usarla para comprobar.</translation>
     </message>
 </context>
 <context>
@@ -1235,10 +1235,6 @@
         <translation>El programa del control terminó antes de ejecutarse entero.</translation>
     </message>
     <message>
-        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
-        <translation>Las celdas del método Ventana están fuera de rango. Comprobar base, paso y número de ventanas.</translation>
-    </message>
-    <message>
         <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
         <translation>Otro cliente está usando el programa del control. Rivulet no escribe nada más: esperar a que el otro cliente termine, o hacer un Reset del control.</translation>
     </message>
@@ -1265,22 +1261,6 @@
     <message>
         <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
         <translation>El control no permite a Rivulet escribir y leer programas de pieza. Dar estos permisos al usuario OPC UA, o copiar a mano la plantilla en el control.</translation>
-    </message>
-    <message>
-        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
-        <translation>Estas celdas no son utilizables. Elegir parámetros R que existan (MD28050).</translation>
-    </message>
-    <message>
-        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
-        <translation>Hay un programa en marcha en el control: la medición ha terminado. Las celdas tienen sus valores anteriores.</translation>
-    </message>
-    <message>
-        <source>The calibration was cancelled. The cells have their old values.</source>
-        <translation>Se canceló la calibración. Las celdas tienen sus valores anteriores.</translation>
-    </message>
-    <message>
-        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
-        <translation>Las celdas no se pudieron restaurar y pueden contener valores de prueba. Ajustarlas en el control.</translation>
     </message>
     <message>
         <source>Only method window streams rotary axes. Choose it.</source>
@@ -1571,10 +1551,6 @@
         <translation>El texto deja abierto lo que significa. Elija el dialecto, la unidad o la lectura de los números sin punto decimal.</translation>
     </message>
     <message>
-        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
-        <translation>El control no obedece a la celda de avance: la espera, la parada y la corrección de avance no actuarían. No se ha movido nada. Compruebe que un SINUMERIK tiene acciones síncronas, o un LinuxCNC los componentes de docs/linuxcnc.md.</translation>
-    </message>
-    <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>El camino recto al primer punto pasa por la zona que el programa mecaniza. Levante primero la herramienta.</translation>
     </message>
@@ -1601,6 +1577,30 @@
     <message>
         <source>The server keeps no history of this node. Have it recorded at the server.</source>
         <translation>El servidor no guarda ningún historial de este nodo. Hacer que se registre en el servidor.</translation>
+    </message>
+    <message>
+        <source>The R-parameters of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Los parámetros R del método Ventana están fuera de rango. Comprobar base, paso y número de ventanas.</translation>
+    </message>
+    <message>
+        <source>These R-parameters cannot be used. Choose some that exist (MD28050).</source>
+        <translation>Estos parámetros R no se pueden usar. Elija unos que existan (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The R-parameters have their old values.</source>
+        <translation>Hay un programa en marcha en el control: la medición ha terminado. Los parámetros R tienen sus valores anteriores.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The R-parameters have their old values.</source>
+        <translation>La calibración se canceló. Los parámetros R tienen sus valores anteriores.</translation>
+    </message>
+    <message>
+        <source>The R-parameters could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Los parámetros R no se pudieron restablecer y pueden contener valores de prueba. Ajústelos en el control.</translation>
+    </message>
+    <message>
+        <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>El control no obedece al override: la pausa, la parada y el override no actuarían. No se ha movido nada. Compruebe que un SINUMERIK tiene acciones síncronas, o un LinuxCNC los componentes de docs/linuxcnc.md.</translation>
     </message>
 </context>
 <context>
@@ -2005,10 +2005,6 @@
         <translation>%1 se movió %2 con %3; detenido, se le vio parado tras %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
-        <translation>Parada, pausa y override actúan de inmediato porque el control obedece a una celda en cada ciclo de interpolación. Esta prueba averigua si lo hace: primero sin movimiento y después, si usted está de acuerdo, con un eje que va y vuelve en el aire y se detiene a mitad de camino. El canal debe estar en reset.</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. El override se cambia mientras el eje se mueve. Después pulse Marcha CN otra vez: el programa siguiente debe moverse con su propio avance, y solo el control puede pararlo.</translation>
     </message>
@@ -2065,10 +2061,6 @@
         <translation>El programa siguiente se mueve con su propio avance.</translation>
     </message>
     <message>
-        <source>No other client writes the feed cell.</source>
-        <translation>Ningún otro cliente escribe en la celda de avance.</translation>
-    </message>
-    <message>
         <source>; the tool may be lifted by %1</source>
         <translation>; la herramienta puede elevarse %1</translation>
     </message>
@@ -2099,6 +2091,14 @@
     <message>
         <source>Let go, the axis moves only when the tool is back.</source>
         <translation>Liberado, el eje se mueve solo cuando la herramienta ha vuelto.</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys an R-parameter in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Parada, pausa y override actúan de inmediato porque el control obedece a un parámetro R en cada ciclo de interpolación. Esta prueba averigua si lo hace: primero sin movimiento y después, si usted está de acuerdo, con un eje que va y vuelve en el aire y se detiene a mitad de camino. El canal debe estar en reset.</translation>
+    </message>
+    <message>
+        <source>No other client writes the override of this test.</source>
+        <translation>Ningún otro cliente escribe el override de esta prueba.</translation>
     </message>
 </context>
 <context>
@@ -2469,8 +2469,8 @@
         <translation>No accesible: sin respuesta hace %1</translation>
     </message>
     <message>
-        <source>test of the feed cell</source>
-        <translation>prueba de la celda de avance</translation>
+        <source>stop test</source>
+        <translation>prueba de parada</translation>
     </message>
 </context>
 <context>
@@ -2730,8 +2730,8 @@
         <translation>Sin este ordenador, los ejes se detienen tras 0,2 a 60 s; 0: nunca.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
-        <translation>Sin celda de avance probada, una ventana dura como máximo de 0,5 a 600 s.</translation>
+        <source>Without a passed stop test a window takes at most 0.5 to 600 s.</source>
+        <translation>Sin prueba de parada superada, una ventana dura como máximo de 0,5 a 600 s.</translation>
     </message>
 </context>
 <context>
@@ -5047,10 +5047,6 @@ GPL-3.0-or-later</translation>
         <translation>Parada</translation>
     </message>
     <message>
-        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
-        <translation>Este método no tiene celda de avance: después de Parada el control ejecuta aún su bucle, como máximo %1 en %2.</translation>
-    </message>
-    <message>
         <source>The axes stand at once, on the path. How long they brake is not known.</source>
         <translation>Los ejes se paran de inmediato, en la trayectoria. No se sabe cuánto tardan en frenar.</translation>
     </message>
@@ -5213,6 +5209,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without a factor for %1 your override acts alone.</source>
         <translation>Sin un factor durante %1 actúa solo su override.</translation>
+    </message>
+    <message>
+        <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Con este método, después de Parada el control ejecuta aún su bucle, como máximo %1 en %2.</translation>
     </message>
 </context>
 <context>
@@ -5750,10 +5750,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
     <message>
-        <source>Cells</source>
-        <translation>Celdas</translation>
-    </message>
-    <message>
         <source>to</source>
         <translation>a</translation>
     </message>
@@ -5768,10 +5764,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>no limit</source>
         <translation>sin límite</translation>
-    </message>
-    <message>
-        <source>Arrays too: for the test, the cells hold other values for a moment</source>
-        <translation>También matrices: para la prueba, las celdas tienen otros valores por un momento</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
@@ -5810,20 +5802,8 @@ GPL-3.0-or-later</translation>
         <translation>%1 de %2 mediciones, %3</translation>
     </message>
     <message>
-        <source>Restoring the cells …</source>
-        <translation>Restaurando las celdas…</translation>
-    </message>
-    <message>
-        <source>The last cell is before the first.</source>
-        <translation>La última celda está antes de la primera.</translation>
-    </message>
-    <message>
         <source>Takes about %1.</source>
         <translation>Tarda unos %1.</translation>
-    </message>
-    <message>
-        <source>Confirm the cells to begin.</source>
-        <translation>Confirmar las celdas para empezar.</translation>
     </message>
     <message>
         <source>%1, %2, R%3 to R%4, took %5</source>
@@ -5842,8 +5822,28 @@ GPL-3.0-or-later</translation>
         <translation>No hubo tiempo para todas las mediciones: los números reducidos están en negrita en la tabla.</translation>
     </message>
     <message>
-        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
-        <translation>Esta máquina no está calibrada: se supone %1 por celda, como en [P1].</translation>
+        <source>Restoring the R-parameters …</source>
+        <translation>Restableciendo los parámetros R …</translation>
+    </message>
+    <message>
+        <source>The last R-parameter is before the first.</source>
+        <translation>El último parámetro R está antes del primero.</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters to begin.</source>
+        <translation>Confirmar los parámetros R para empezar.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 for each R-parameter are assumed.</source>
+        <translation>Esta máquina no está calibrada: se suponen %1 por parámetro R.</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parámetros R</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, they hold other values for a moment</source>
+        <translation>También matrices: para la prueba tienen otros valores por un momento</translation>
     </message>
 </context>
 <context>
@@ -6415,10 +6415,6 @@ GPL-3.0-or-later</translation>
         <translation>El control no es un SINUMERIK</translation>
     </message>
     <message>
-        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
-        <translation>Un mapa dice con qué nombres tiene este control sus celdas, ejes y estados. rivulet-cli map propone uno.</translation>
-    </message>
-    <message>
         <source>File with the map (.toml). It is remembered for this machine.</source>
         <translation>Archivo con el mapa (.toml). Se recuerda para esta máquina.</translation>
     </message>
@@ -6429,6 +6425,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
         <translation>Qué biblioteca conecta con la máquina. Qt OPC UA es más lento, no cifra y no admite ni mapa ni usuario.</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its memory, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Un mapa dice con qué nombres tiene este control su memoria, ejes y estados. rivulet-cli map propone uno.</translation>
     </message>
 </context>
 <context>
@@ -6825,10 +6825,6 @@ GPL-3.0-or-later</translation>
         <translation>Aún no se ha aprendido nada.</translation>
     </message>
     <message>
-        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
-        <translation>En tramos reservados al aprender (RMS): %1. De una grabación usada para comprobar no se aprendió nada.</translation>
-    </message>
-    <message>
         <source>Reading %1 …</source>
         <translation>Leyendo %1…</translation>
     </message>
@@ -6933,10 +6929,6 @@ GPL-3.0-or-later</translation>
         <translation>Preajuste con los límites de la máquina; con ellos se planifican las consignas de los programas</translation>
     </message>
     <message>
-        <source>Error on stretches held out, while learning</source>
-        <translation>Error en los tramos reservados, durante el aprendizaje</translation>
-    </message>
-    <message>
         <source>Models tried</source>
         <translation>Modelos probados</translation>
     </message>
@@ -7015,6 +7007,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matriz</translation>
+    </message>
+    <message>
+        <source>On parts that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>En partes reservadas al aprender (RMS): %1. De una grabación usada para comprobar no se aprendió nada.</translation>
+    </message>
+    <message>
+        <source>Error on parts held out, while learning</source>
+        <translation>Error en las partes reservadas, al aprender</translation>
     </message>
 </context>
 <context>
@@ -7312,16 +7312,16 @@ GPL-3.0-or-later</translation>
         <translation>Por petición (a)</translation>
     </message>
     <message>
-        <source>Per cell (b)</source>
-        <translation>Por celda (b)</translation>
-    </message>
-    <message>
-        <source>± per cell</source>
-        <translation>± por celda</translation>
-    </message>
-    <message>
         <source>Residual</source>
         <translation>Desviación</translation>
+    </message>
+    <message>
+        <source>Per R-parameter (b)</source>
+        <translation>Por parámetro R (b)</translation>
+    </message>
+    <message>
+        <source>± of b</source>
+        <translation>± de b</translation>
     </message>
 </context>
 <context>
@@ -7451,10 +7451,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::LinesChart</name>
     <message>
-        <source>Cells of the request</source>
-        <translation>Celdas de la petición</translation>
-    </message>
-    <message>
         <source>Duration, ms</source>
         <translation>Duración, ms</translation>
     </message>
@@ -7465,6 +7461,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>read</source>
         <translation>lectura</translation>
+    </message>
+    <message>
+        <source>R-parameters of the request</source>
+        <translation>Parámetros R de la petición</translation>
     </message>
 </context>
 <context>
@@ -8267,10 +8267,6 @@ GPL-3.0-or-later</translation>
         <translation>N (puntos por ventana)</translation>
     </message>
     <message>
-        <source>This method does not use δ: it watches a cell, not the tool</source>
-        <translation>Este método no utiliza δ: vigila una celda, no la herramienta</translation>
-    </message>
-    <message>
         <source>Reach: the next window must be written while the tool executes the current one.</source>
         <translation>Alcance: la ventana siguiente debe estar escrita mientras la herramienta ejecuta la actual.</translation>
     </message>
@@ -8293,10 +8289,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Credit (experimental)</source>
         <translation>Crédito (experimental)</translation>
-    </message>
-    <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
-        <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila una celda en la que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de la página Prueba crédito.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>
@@ -8473,6 +8465,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Points</source>
         <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches an R-parameter, not the tool</source>
+        <translation>Este método no usa δ: vigila un parámetro R, no la herramienta</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila un parámetro R en el que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de la página Prueba crédito.</translation>
     </message>
 </context>
 <context>
@@ -9373,12 +9373,12 @@ GPL-3.0-or-later</translation>
         <translation>Sin este ordenador, los ejes se detienen tras, s</translation>
     </message>
     <message>
-        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
-        <translation>Donde una parada actúa con seguridad solo antes de la ventana siguiente, porque este control no ha superado la prueba de la celda de avance, ninguna ventana de varios movimientos dura más.</translation>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the stop test, no window of several moves takes longer.</source>
+        <translation>Donde una parada solo actúa con seguridad antes de la ventana siguiente, porque este control no ha superado la prueba de parada, ninguna ventana de varios movimientos dura más.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most, s</source>
-        <translation>Sin celda de avance probada, una ventana dura como máximo, s</translation>
+        <source>Without a passed stop test a window takes at most, s</source>
+        <translation>Sin prueba de parada superada, una ventana dura como máximo, s</translation>
     </message>
 </context>
 <context>
@@ -10087,24 +10087,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Parada</translation>
     </message>
     <message>
-        <source>Sent</source>
-        <translation>Enviados</translation>
-    </message>
-    <message>
-        <source>Accepted</source>
-        <translation>Aceptados</translation>
-    </message>
-    <message>
         <source>Executed</source>
         <translation>Ejecutados</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Margen</translation>
-    </message>
-    <message>
-        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
-        <translation>Tiempo hasta que el control necesita el punto siguiente, menos el percentil 99 del tiempo de acceso</translation>
     </message>
     <message>
         <source>Start is not possible: %1</source>
@@ -10129,10 +10113,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>(too late)</source>
-        <translation>(demasiado tarde)</translation>
     </message>
     <message>
         <source>Resume …</source>
@@ -10263,20 +10243,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Resta</translation>
     </message>
     <message>
-        <source>Buffer</source>
-        <translation>Búfer</translation>
-    </message>
-    <message>
         <source>Points that are known to be executed</source>
         <translation>Puntos que constan como ejecutados</translation>
-    </message>
-    <message>
-        <source>Points that were sent to the control</source>
-        <translation>Puntos enviados al control</translation>
-    </message>
-    <message>
-        <source>Points that the control has confirmed</source>
-        <translation>Puntos confirmados por el control</translation>
     </message>
     <message>
         <source>Only the computer that streams this run knows it.</source>
@@ -10305,14 +10273,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Tiempo restante estimado, con los avances y las pausas previstas de esta ejecución. La suspensión y el override del control no están incluidos.</translation>
-    </message>
-    <message>
-        <source>Known while points have to be sent.</source>
-        <translation>Se conoce mientras queden puntos por enviar.</translation>
-    </message>
-    <message>
-        <source>Points that the control has and that are not known to be executed</source>
-        <translation>Puntos que el control tiene y que aún no constan como ejecutados</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -10365,13 +10325,6 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%Ln ventanas</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln pts</source>
-        <translation>
-            <numerusform>%Ln pto</numerusform>
-            <numerusform>%Ln ptos</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Puntos que constan como ejecutados, a partir del punto %1</translation>
@@ -10419,10 +10372,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The axes stand at once, until you press Continue.</source>
         <translation>Los ejes se paran enseguida, hasta que pulse Continuar.</translation>
-    </message>
-    <message>
-        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Los ejes se paran enseguida si el programa tiene una celda de avance; si no, al final de su ventana. Escape hace lo mismo desde cualquier lugar. No sustituye la parada de emergencia de la máquina.</translation>
     </message>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
@@ -10487,6 +10436,41 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>stands in %1</source>
         <translation>parada en %1</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program obeys this computer&apos;s override, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Los ejes se paran enseguida si el programa obedece al override de este ordenador; si no, al final de su ventana. Escape hace lo mismo desde cualquier lugar. No sustituye la parada de emergencia de la máquina.</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Flujo</translation>
+    </message>
+    <message>
+        <source>Sent to the control: %1, confirmed by it: %2</source>
+        <translation>Enviados al control: %1, confirmados por él: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moves in hand</source>
+        <translation>
+            <numerusform>%Ln movimiento listo</numerusform>
+            <numerusform>%Ln movimientos listos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moves in hand: what the control has and has not executed yet.</source>
+        <translation>Movimientos listos: lo que el control tiene y aún no ha ejecutado.</translation>
+    </message>
+    <message>
+        <source>late, %1</source>
+        <translation>con retraso, %1</translation>
+    </message>
+    <message>
+        <source>on time, %1</source>
+        <translation>a tiempo, %1</translation>
+    </message>
+    <message>
+        <source>Margin %1: time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Margen %1: tiempo hasta que el control necesita el punto siguiente, menos el percentil 99 del tiempo de acceso</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10748,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Acceso</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celdas</translation>
-    </message>
-    <message>
         <source>Shots</source>
         <translation>Mediciones</translation>
     </message>
@@ -10782,6 +10762,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parámetros R</translation>
     </message>
 </context>
 <context>
@@ -11378,10 +11362,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Guardar…</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celdas</translation>
-    </message>
-    <message>
         <source>No template: %1</source>
         <translation>Sin plantilla: %1</translation>
     </message>
@@ -11408,6 +11388,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
         <translation>Una hoja con los pasos en el control, los derechos, lo que ve el operador y cómo se deshace</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parámetros R</translation>
     </message>
 </context>
 <context>
@@ -11467,6 +11451,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Start at the chosen line. First it is shown what would move.</source>
         <translation>Iniciar en la línea elegida. Antes se muestra qué se movería.</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
+        <translation>Buscar en el texto (Ctrl+F) o ir a una línea (Ctrl+G)</translation>
     </message>
 </context>
 <context>

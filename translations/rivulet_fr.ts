@@ -4,14 +4,6 @@
 <context>
     <name>AccessTexts</name>
     <message>
-        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
-        <translation>Accès supposé comme dans [P1]&#xa0;: %1 par cellule. Voir Étalonnage.</translation>
-    </message>
-    <message>
-        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
-        <translation>Accès supposé comme dans [P1]&#xa0;: %1 par cellule. L’étalonnage du %2 correspond à une autre version du serveur et n’est pas utilisé.</translation>
-    </message>
-    <message>
         <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
         <translation>Accès étalonné le %1 (%2)&#xa0;: t = %3&#xa0;; lecture %4, écriture %5.</translation>
     </message>
@@ -35,18 +27,26 @@
         <source>a server without a name</source>
         <translation>un serveur sans nom</translation>
     </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. See Calibration.</source>
+        <translation>L’accès est supposé : %1 par paramètre R. Voir Étalonnage.</translation>
+    </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>L’accès est supposé : %1 par paramètre R. L’étalonnage du %2 correspond à une autre version du serveur et n’est pas utilisé.</translation>
+    </message>
     <message numerus="yes">
-        <source>99 % of the writes of %n cells end within %1.</source>
+        <source>99 % of the writes of %n R-parameters end within %1.</source>
         <translation>
-            <numerusform>99&#xa0;% des écritures de %n cellule se terminent en moins de %1.</numerusform>
-            <numerusform>99&#xa0;% des écritures de %n cellules se terminent en moins de %1.</numerusform>
+            <numerusform>99 % des écritures de %n paramètre R se terminent en moins de %1.</numerusform>
+            <numerusform>99 % des écritures de %n paramètres R se terminent en moins de %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Up to %n cells were measured.</source>
+        <source>Up to %n R-parameters were measured.</source>
         <translation>
-            <numerusform>Mesures faites jusqu’à %n cellule.</numerusform>
-            <numerusform>Mesures faites jusqu’à %n cellules.</numerusform>
+            <numerusform>Mesures faites jusqu’à %n paramètre R.</numerusform>
+            <numerusform>Mesures faites jusqu’à %n paramètres R.</numerusform>
         </translation>
     </message>
 </context>
@@ -1060,10 +1060,6 @@
         <translation>L’erreur de contour s’y écarte de %1 sur %2 (RMS).</translation>
     </message>
     <message>
-        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
-        <translation>Il n’a été vérifié que sur des tronçons des mêmes enregistrements&#xa0;: juste à %1 près (RMS). Ajouter l’enregistrement d’un autre programme et l’utiliser pour vérifier.</translation>
-    </message>
-    <message>
         <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
         <translation>Bon pour simuler des programmes qui déplacent %1 jusqu’à %2 et pour estimer leur durée. Au-delà, rien n’est vérifié.</translation>
     </message>
@@ -1078,6 +1074,10 @@
     <message>
         <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
         <translation>L’accélération et le jerk sont limités comme le montrent les consignes (%1), tout le reste comme dans le préréglage %2.</translation>
+    </message>
+    <message>
+        <source>It was tested only on parts of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Il n’a été vérifié que sur des parties des mêmes enregistrements : juste à %1 près (RMS). Ajouter l’enregistrement d’un autre programme et l’utiliser pour vérifier.</translation>
     </message>
 </context>
 <context>
@@ -1235,10 +1235,6 @@
         <translation>Le programme de la commande s’est terminé avant d’être entièrement exécuté.</translation>
     </message>
     <message>
-        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
-        <translation>Les cellules de la méthode Fenêtre sont hors plage. Vérifier la base, le pas et le nombre de fenêtres.</translation>
-    </message>
-    <message>
         <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
         <translation>Un autre client utilise le programme sur la commande. Rivulet n’écrit plus rien&#xa0;: attendre que l’autre client ait fini, ou faire un Reset de la commande.</translation>
     </message>
@@ -1265,22 +1261,6 @@
     <message>
         <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
         <translation>La commande ne laisse pas Rivulet écrire et lire des programmes pièce. Donner ces droits à l’utilisateur OPC UA, ou copier le modèle à la main sur la commande.</translation>
-    </message>
-    <message>
-        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
-        <translation>Ces cellules sont inutilisables. Choisir des paramètres R qui existent (MD28050).</translation>
-    </message>
-    <message>
-        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
-        <translation>Un programme est en cours sur la commande&#xa0;: la mesure a été arrêtée. Les cellules ont leurs anciennes valeurs.</translation>
-    </message>
-    <message>
-        <source>The calibration was cancelled. The cells have their old values.</source>
-        <translation>L’étalonnage a été annulé. Les cellules ont leurs anciennes valeurs.</translation>
-    </message>
-    <message>
-        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
-        <translation>Les cellules n’ont pas pu être rétablies et contiennent peut-être des valeurs de test. Les régler sur la commande.</translation>
     </message>
     <message>
         <source>Only method window streams rotary axes. Choose it.</source>
@@ -1571,10 +1551,6 @@
         <translation>Le texte laisse ouvert ce qu’il signifie. Choisissez le dialecte, l’unité ou la lecture des nombres sans point décimal.</translation>
     </message>
     <message>
-        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
-        <translation>La commande n’obéit pas à la cellule d’avance : maintien, arrêt et correction d’avance n’agiraient pas. Rien n’a bougé. Vérifiez qu’une SINUMERIK a les actions synchrones, ou un LinuxCNC les composants de docs/linuxcnc.md.</translation>
-    </message>
-    <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>Le trajet direct vers le premier point traverse la zone que le programme usine. Relevez d&apos;abord l&apos;outil.</translation>
     </message>
@@ -1601,6 +1577,30 @@
     <message>
         <source>The server keeps no history of this node. Have it recorded at the server.</source>
         <translation>Le serveur ne conserve aucun historique de ce nœud. Le faire enregistrer sur le serveur.</translation>
+    </message>
+    <message>
+        <source>The R-parameters of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>Les paramètres R de la méthode Fenêtre sont hors plage. Vérifier la base, le pas et le nombre de fenêtres.</translation>
+    </message>
+    <message>
+        <source>These R-parameters cannot be used. Choose some that exist (MD28050).</source>
+        <translation>Ces paramètres R ne peuvent pas servir. Choisissez-en qui existent (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The R-parameters have their old values.</source>
+        <translation>Un programme est en cours sur la commande : la mesure a été arrêtée. Les paramètres R ont leurs anciennes valeurs.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The R-parameters have their old values.</source>
+        <translation>L’étalonnage a été annulé. Les paramètres R ont leurs anciennes valeurs.</translation>
+    </message>
+    <message>
+        <source>The R-parameters could not be restored and may hold test values. Set them at the control.</source>
+        <translation>Les paramètres R n’ont pas pu être rétablis et contiennent peut-être des valeurs de test. Réglez-les à la commande.</translation>
+    </message>
+    <message>
+        <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>La commande n’obéit pas à l’override : pause, arrêt et override n’agiraient pas. Rien n’a bougé. Vérifiez qu’une SINUMERIK a les actions synchrones, ou un LinuxCNC les composants de docs/linuxcnc.md.</translation>
     </message>
 </context>
 <context>
@@ -2005,10 +2005,6 @@
         <translation>%1 déplacé de %2 à %3&#xa0;; arrêté, il était immobile après %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
-        <translation>Arrêt, pause et override agissent aussitôt parce que la commande obéit à une cellule à chaque cycle d’interpolation. Ce test établit si elle le fait&#xa0;: d’abord sans mouvement puis, si vous êtes d’accord, avec un axe qui va et vient dans l’air et qui est arrêté en chemin. Le canal doit être en reset.</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. L’override est modifié pendant que l’axe se déplace. Appuyez ensuite encore une fois sur Départ cycle&#xa0;: le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
     </message>
@@ -2065,10 +2061,6 @@
         <translation>Le programme suivant se déplace à sa propre avance.</translation>
     </message>
     <message>
-        <source>No other client writes the feed cell.</source>
-        <translation>Aucun autre client n’écrit dans la cellule d’avance.</translation>
-    </message>
-    <message>
         <source>; the tool may be lifted by %1</source>
         <translation>&#xa0;; l’outil peut être relevé de %1</translation>
     </message>
@@ -2099,6 +2091,14 @@
     <message>
         <source>Let go, the axis moves only when the tool is back.</source>
         <translation>Libéré, l’axe ne se déplace qu’une fois l’outil revenu.</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys an R-parameter in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Arrêt, pause et override agissent aussitôt parce que la commande obéit à un paramètre R à chaque cycle d’interpolation. Ce test établit si elle le fait : d’abord sans mouvement puis, si vous êtes d’accord, avec un axe qui va et vient dans l’air et qui est arrêté en chemin. Le canal doit être en reset.</translation>
+    </message>
+    <message>
+        <source>No other client writes the override of this test.</source>
+        <translation>Aucun autre client n’écrit l’override de ce test.</translation>
     </message>
 </context>
 <context>
@@ -2469,8 +2469,8 @@
         <translation>Injoignable&#xa0;: pas de réponse il y a %1</translation>
     </message>
     <message>
-        <source>test of the feed cell</source>
-        <translation>test de la cellule d’avance</translation>
+        <source>stop test</source>
+        <translation>test d’arrêt</translation>
     </message>
 </context>
 <context>
@@ -2730,8 +2730,8 @@
         <translation>Sans cet ordinateur, les axes s&apos;arrêtent après 0,2 à 60 s ; 0 : jamais.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
-        <translation>Sans cellule d’avance éprouvée, une fenêtre dure au plus 0,5 à 600 s.</translation>
+        <source>Without a passed stop test a window takes at most 0.5 to 600 s.</source>
+        <translation>Sans test d’arrêt réussi, une fenêtre dure au plus 0,5 à 600 s.</translation>
     </message>
 </context>
 <context>
@@ -5047,10 +5047,6 @@ GPL-3.0-or-later</translation>
         <translation>Arrêt</translation>
     </message>
     <message>
-        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
-        <translation>Cette méthode n’a pas de cellule d’avance&#xa0;: après Arrêt, la commande exécute encore sa boucle, au plus %1 en %2.</translation>
-    </message>
-    <message>
         <source>The axes stand at once, on the path. How long they brake is not known.</source>
         <translation>Les axes s’arrêtent aussitôt, sur la trajectoire. On ne sait pas combien de temps ils freinent.</translation>
     </message>
@@ -5213,6 +5209,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without a factor for %1 your override acts alone.</source>
         <translation>Sans facteur pendant %1, votre override agit seul.</translation>
+    </message>
+    <message>
+        <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Avec cette méthode, après Arrêt, la commande exécute encore sa boucle, au plus %1 en %2.</translation>
     </message>
 </context>
 <context>
@@ -5750,10 +5750,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
     <message>
-        <source>Cells</source>
-        <translation>Cellules</translation>
-    </message>
-    <message>
         <source>to</source>
         <translation>à</translation>
     </message>
@@ -5768,10 +5764,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>no limit</source>
         <translation>sans limite</translation>
-    </message>
-    <message>
-        <source>Arrays too: for the test, the cells hold other values for a moment</source>
-        <translation>Aussi les tableaux&#xa0;: pour le test, les cellules ont un instant d’autres valeurs</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
@@ -5810,20 +5802,8 @@ GPL-3.0-or-later</translation>
         <translation>%1 mesures sur %2, %3</translation>
     </message>
     <message>
-        <source>Restoring the cells …</source>
-        <translation>Rétablissement des cellules…</translation>
-    </message>
-    <message>
-        <source>The last cell is before the first.</source>
-        <translation>La dernière cellule est avant la première.</translation>
-    </message>
-    <message>
         <source>Takes about %1.</source>
         <translation>Dure environ %1.</translation>
-    </message>
-    <message>
-        <source>Confirm the cells to begin.</source>
-        <translation>Confirmer les cellules pour commencer.</translation>
     </message>
     <message>
         <source>%1, %2, R%3 to R%4, took %5</source>
@@ -5842,8 +5822,28 @@ GPL-3.0-or-later</translation>
         <translation>Le temps n’a pas suffi pour toutes les mesures&#xa0;: les nombres réduits sont en gras dans le tableau.</translation>
     </message>
     <message>
-        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
-        <translation>Cette machine n’est pas étalonnée&#xa0;: %1 par cellule est supposé, comme dans [P1].</translation>
+        <source>Restoring the R-parameters …</source>
+        <translation>Rétablissement des paramètres R …</translation>
+    </message>
+    <message>
+        <source>The last R-parameter is before the first.</source>
+        <translation>Le dernier paramètre R est avant le premier.</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters to begin.</source>
+        <translation>Confirmer les paramètres R pour commencer.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 for each R-parameter are assumed.</source>
+        <translation>Cette machine n’est pas étalonnée : %1 par paramètre R sont supposés.</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Paramètres R</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, they hold other values for a moment</source>
+        <translation>Aussi les tableaux : pour le test, ils ont un instant d’autres valeurs</translation>
     </message>
 </context>
 <context>
@@ -6415,10 +6415,6 @@ GPL-3.0-or-later</translation>
         <translation>La commande n&apos;est pas une SINUMERIK</translation>
     </message>
     <message>
-        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
-        <translation>Une table de correspondance dit sous quels noms cette commande a ses cellules, ses axes et ses états. rivulet-cli map en propose une.</translation>
-    </message>
-    <message>
         <source>File with the map (.toml). It is remembered for this machine.</source>
         <translation>Fichier de la table de correspondance (.toml). Il est retenu pour cette machine.</translation>
     </message>
@@ -6429,6 +6425,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
         <translation>Bibliothèque qui établit la connexion avec la machine. Qt OPC UA est plus lent, ne chiffre pas et ne prend ni table de correspondance ni utilisateur.</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its memory, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Une table de correspondance dit sous quels noms cette commande a sa mémoire, ses axes et ses états. rivulet-cli map en propose une.</translation>
     </message>
 </context>
 <context>
@@ -6825,10 +6825,6 @@ GPL-3.0-or-later</translation>
         <translation>Rien n’est encore appris.</translation>
     </message>
     <message>
-        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
-        <translation>Sur des tronçons mis de côté pendant l’apprentissage (RMS)&#xa0;: %1. D’un enregistrement utilisé pour vérifier, rien n’a été appris.</translation>
-    </message>
-    <message>
         <source>Reading %1 …</source>
         <translation>Lecture de %1…</translation>
     </message>
@@ -6933,10 +6929,6 @@ GPL-3.0-or-later</translation>
         <translation>Préréglage avec les limites de la machine&#xa0;; les consignes des programmes sont planifiées avec elles</translation>
     </message>
     <message>
-        <source>Error on stretches held out, while learning</source>
-        <translation>Erreur sur les tronçons mis de côté, pendant l’apprentissage</translation>
-    </message>
-    <message>
         <source>Models tried</source>
         <translation>Modèles essayés</translation>
     </message>
@@ -7015,6 +7007,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrice</translation>
+    </message>
+    <message>
+        <source>On parts that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>Sur des parties mises de côté pendant l’apprentissage (RMS) : %1. D’un enregistrement utilisé pour vérifier, rien n’a été appris.</translation>
+    </message>
+    <message>
+        <source>Error on parts held out, while learning</source>
+        <translation>Erreur sur les parties mises de côté, pendant l’apprentissage</translation>
     </message>
 </context>
 <context>
@@ -7312,16 +7312,16 @@ GPL-3.0-or-later</translation>
         <translation>Par requête (a)</translation>
     </message>
     <message>
-        <source>Per cell (b)</source>
-        <translation>Par cellule (b)</translation>
-    </message>
-    <message>
-        <source>± per cell</source>
-        <translation>± par cellule</translation>
-    </message>
-    <message>
         <source>Residual</source>
         <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Per R-parameter (b)</source>
+        <translation>Par paramètre R (b)</translation>
+    </message>
+    <message>
+        <source>± of b</source>
+        <translation>± de b</translation>
     </message>
 </context>
 <context>
@@ -7451,10 +7451,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::LinesChart</name>
     <message>
-        <source>Cells of the request</source>
-        <translation>Cellules de la requête</translation>
-    </message>
-    <message>
         <source>Duration, ms</source>
         <translation>Durée, ms</translation>
     </message>
@@ -7465,6 +7461,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>read</source>
         <translation>lecture</translation>
+    </message>
+    <message>
+        <source>R-parameters of the request</source>
+        <translation>Paramètres R de la requête</translation>
     </message>
 </context>
 <context>
@@ -8267,10 +8267,6 @@ GPL-3.0-or-later</translation>
         <translation>N (points par fenêtre)</translation>
     </message>
     <message>
-        <source>This method does not use δ: it watches a cell, not the tool</source>
-        <translation>Cette méthode n’utilise pas δ&#xa0;: elle surveille une cellule, pas l’outil</translation>
-    </message>
-    <message>
         <source>Reach: the next window must be written while the tool executes the current one.</source>
         <translation>Portée&#xa0;: la fenêtre suivante doit être écrite pendant que l’outil exécute la fenêtre en cours.</translation>
     </message>
@@ -8293,10 +8289,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Credit (experimental)</source>
         <translation>Crédit (expérimental)</translation>
-    </message>
-    <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
-        <translation>Fenêtre&#xa0;: la machine attend si le client est en retard&#xa0;; elle n’exécute jamais un point deux fois. Position&#xa0;: le client suit l’outil et remplace les points déjà passés. Signal&#xa0;: le client surveille une cellule où le programme indique quelle moitié de la boucle peut être remplacée. Crédit&#xa0;: comme Fenêtre, sans arrêt entre les fenêtres&#xa0;; ne démarre que sur une commande qui a réussi le test de la page Test crédit.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>
@@ -8473,6 +8465,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Points</source>
         <translation>Points</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches an R-parameter, not the tool</source>
+        <translation>Cette méthode n’utilise pas δ : elle surveille un paramètre R, pas l’outil</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Fenêtre : la machine attend si le client est en retard ; elle n’exécute jamais un point deux fois. Position : le client suit l’outil et remplace les points déjà passés. Signal : le client surveille un paramètre R où le programme indique quelle moitié de la boucle peut être remplacée. Crédit : comme Fenêtre, sans arrêt entre les fenêtres ; ne démarre que sur une commande qui a réussi le test de la page Test crédit.</translation>
     </message>
 </context>
 <context>
@@ -9373,12 +9373,12 @@ GPL-3.0-or-later</translation>
         <translation>Sans cet ordinateur, les axes s&apos;arrêtent après, s</translation>
     </message>
     <message>
-        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
-        <translation>Là où un arrêt n’agit avec certitude qu’avant la fenêtre suivante, parce que cette commande n’a pas réussi le test de la cellule d’avance, aucune fenêtre de plusieurs déplacements ne dure plus longtemps.</translation>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the stop test, no window of several moves takes longer.</source>
+        <translation>Là où un arrêt n’agit sûrement qu’avant la fenêtre suivante, parce que cette commande n’a pas réussi le test d’arrêt, aucune fenêtre de plusieurs mouvements ne dure plus longtemps.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most, s</source>
-        <translation>Sans cellule d’avance éprouvée, une fenêtre dure au plus, s</translation>
+        <source>Without a passed stop test a window takes at most, s</source>
+        <translation>Sans test d’arrêt réussi, une fenêtre dure au plus, s</translation>
     </message>
 </context>
 <context>
@@ -10087,24 +10087,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Arrêt</translation>
     </message>
     <message>
-        <source>Sent</source>
-        <translation>Envoyés</translation>
-    </message>
-    <message>
-        <source>Accepted</source>
-        <translation>Acceptés</translation>
-    </message>
-    <message>
         <source>Executed</source>
         <translation>Exécutés</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Marge</translation>
-    </message>
-    <message>
-        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
-        <translation>Temps jusqu’à ce que la commande ait besoin du point suivant, moins le 99e centile du temps d’accès</translation>
     </message>
     <message>
         <source>Start is not possible: %1</source>
@@ -10129,10 +10113,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>(too late)</source>
-        <translation>(trop tard)</translation>
     </message>
     <message>
         <source>Resume …</source>
@@ -10263,20 +10243,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Reste</translation>
     </message>
     <message>
-        <source>Buffer</source>
-        <translation>Tampon</translation>
-    </message>
-    <message>
         <source>Points that are known to be executed</source>
         <translation>Points dont on sait qu’ils sont exécutés</translation>
-    </message>
-    <message>
-        <source>Points that were sent to the control</source>
-        <translation>Points envoyés à la commande</translation>
-    </message>
-    <message>
-        <source>Points that the control has confirmed</source>
-        <translation>Points confirmés par la commande</translation>
     </message>
     <message>
         <source>Only the computer that streams this run knows it.</source>
@@ -10305,14 +10273,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Temps restant estimé, avec les avances et les pauses prévues de cette exécution. La suspension et l’override d’avance de la commande n’y sont pas compris.</translation>
-    </message>
-    <message>
-        <source>Known while points have to be sent.</source>
-        <translation>Connu tant qu’il reste des points à envoyer.</translation>
-    </message>
-    <message>
-        <source>Points that the control has and that are not known to be executed</source>
-        <translation>Points que la commande possède et dont on ne sait pas encore s’ils sont exécutés</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -10365,13 +10325,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
             <numerusform>%Ln fenêtres</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln pts</source>
-        <translation>
-            <numerusform>%Ln pt</numerusform>
-            <numerusform>%Ln pts</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Points dont on sait qu’ils sont exécutés, à partir du point %1</translation>
@@ -10419,10 +10372,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>The axes stand at once, until you press Continue.</source>
         <translation>Les axes s&apos;arrêtent aussitôt, jusqu&apos;à ce que vous appuyiez sur Continuer.</translation>
-    </message>
-    <message>
-        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Les axes s&apos;arrêtent aussitôt si le programme a une cellule d&apos;avance, sinon à la fin de sa fenêtre. Échap fait de même, partout dans la fenêtre. Cela ne remplace pas l&apos;arrêt d&apos;urgence de la machine.</translation>
     </message>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
@@ -10487,6 +10436,41 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>stands in %1</source>
         <translation>arrêt en %1</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program obeys this computer&apos;s override, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Les axes s&apos;arrêtent aussitôt si le programme obéit à l&apos;override de cet ordinateur, sinon à la fin de sa fenêtre. Échap fait de même, partout dans la fenêtre. Cela ne remplace pas l&apos;arrêt d&apos;urgence de la machine.</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Flux</translation>
+    </message>
+    <message>
+        <source>Sent to the control: %1, confirmed by it: %2</source>
+        <translation>Envoyés à la commande : %1, confirmés par elle : %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moves in hand</source>
+        <translation>
+            <numerusform>%Ln mouvement d’avance</numerusform>
+            <numerusform>%Ln mouvements d’avance</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moves in hand: what the control has and has not executed yet.</source>
+        <translation>Mouvements d’avance : ce que la commande a et n’a pas encore exécuté.</translation>
+    </message>
+    <message>
+        <source>late, %1</source>
+        <translation>en retard, %1</translation>
+    </message>
+    <message>
+        <source>on time, %1</source>
+        <translation>à temps, %1</translation>
+    </message>
+    <message>
+        <source>Margin %1: time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Marge %1 : temps jusqu’à ce que la commande ait besoin du point suivant, moins le 99e centile du temps d’accès</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10748,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Accès</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Cellules</translation>
-    </message>
-    <message>
         <source>Shots</source>
         <translation>Mesures</translation>
     </message>
@@ -10782,6 +10762,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Paramètres R</translation>
     </message>
 </context>
 <context>
@@ -11378,10 +11362,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Enregistrer…</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Cellules</translation>
-    </message>
-    <message>
         <source>No template: %1</source>
         <translation>Pas de modèle&#xa0;: %1</translation>
     </message>
@@ -11408,6 +11388,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
         <translation>Une page avec les étapes sur la commande, les droits, ce que voit l’opérateur et comment tout retirer</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Paramètres R</translation>
     </message>
 </context>
 <context>
@@ -11467,6 +11451,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Start at the chosen line. First it is shown what would move.</source>
         <translation>Démarrer à la ligne choisie. Ce qui bougerait est d’abord montré.</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
+        <translation>Chercher dans le texte (Ctrl+F), ou aller à une ligne (Ctrl+G)</translation>
     </message>
 </context>
 <context>

@@ -4,14 +4,6 @@
 <context>
     <name>AccessTexts</name>
     <message>
-        <source>Access assumed as in [P1]: %1 per cell. See Calibration.</source>
-        <translation>Accesso ipotizzato come in [P1]: %1 per cella. Vedi Calibrazione.</translation>
-    </message>
-    <message>
-        <source>Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs to another version of the server and is not used.</source>
-        <translation>Accesso ipotizzato come in [P1]: %1 per cella. La calibrazione del %2 appartiene a un’altra versione del server e non viene usata.</translation>
-    </message>
-    <message>
         <source>Access calibrated on %1 (%2): t = %3; read %4, write %5.</source>
         <translation>Accesso calibrato il %1 (%2): t = %3; lettura %4, scrittura %5.</translation>
     </message>
@@ -35,18 +27,26 @@
         <source>a server without a name</source>
         <translation>un server senza nome</translation>
     </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. See Calibration.</source>
+        <translation>L’accesso è ipotizzato: %1 per parametro R. Vedere Calibrazione.</translation>
+    </message>
+    <message>
+        <source>Access is assumed: %1 for each R-parameter. The calibration of %2 belongs to another version of the server and is not used.</source>
+        <translation>L’accesso è ipotizzato: %1 per parametro R. La calibrazione del %2 appartiene a un’altra versione del server e non viene usata.</translation>
+    </message>
     <message numerus="yes">
-        <source>99 % of the writes of %n cells end within %1.</source>
+        <source>99 % of the writes of %n R-parameters end within %1.</source>
         <translation>
-            <numerusform>Il 99&#xa0;% delle scritture di %n cella termina entro %1.</numerusform>
-            <numerusform>Il 99&#xa0;% delle scritture di %n celle termina entro %1.</numerusform>
+            <numerusform>Il 99 % delle scritture di %n parametro R termina entro %1.</numerusform>
+            <numerusform>Il 99 % delle scritture di %n parametri R termina entro %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Up to %n cells were measured.</source>
+        <source>Up to %n R-parameters were measured.</source>
         <translation>
-            <numerusform>Misurata fino a %n cella.</numerusform>
-            <numerusform>Misurate fino a %n celle.</numerusform>
+            <numerusform>Misurato fino a %n parametro R.</numerusform>
+            <numerusform>Misurati fino a %n parametri R.</numerusform>
         </translation>
     </message>
 </context>
@@ -1060,10 +1060,6 @@
         <translation>L’errore di contorno lì si scosta di %1 su %2 (RMS).</translation>
     </message>
     <message>
-        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
-        <translation>È stato verificato solo su tratti delle stesse registrazioni: giusto entro %1 (RMS). Aggiungere la registrazione di un altro programma e usarla per la verifica.</translation>
-    </message>
-    <message>
         <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
         <translation>Buono per simulare programmi che muovono %1 fino a %2 e stimarne la durata. Oltre non è verificato.</translation>
     </message>
@@ -1078,6 +1074,10 @@
     <message>
         <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
         <translation>Accelerazione e jerk sono limitati come mostrano i valori nominali (%1), tutto il resto come nel preset %2.</translation>
+    </message>
+    <message>
+        <source>It was tested only on parts of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>È stato verificato solo su parti delle stesse registrazioni: giusto entro %1 (RMS). Aggiungere la registrazione di un altro programma e usarla per la verifica.</translation>
     </message>
 </context>
 <context>
@@ -1235,10 +1235,6 @@
         <translation>Il programma sul controllo è terminato prima di essere eseguito per intero.</translation>
     </message>
     <message>
-        <source>The cells of method window are out of range. Check base, stride and number of windows.</source>
-        <translation>Le celle del metodo Finestra sono fuori campo. Controllare base, passo e numero di finestre.</translation>
-    </message>
-    <message>
         <source>Another client is using the program on the control. Rivulet writes nothing more: wait until the other client has finished, or reset the control.</source>
         <translation>Un altro client sta usando il programma sul controllo. Rivulet non scrive più nulla: attendere che l’altro client abbia finito o resettare il controllo.</translation>
     </message>
@@ -1265,22 +1261,6 @@
     <message>
         <source>The control does not let Rivulet write and read part programs. Grant the OPC UA user these rights, or copy the template to the control by hand.</source>
         <translation>Il controllo non permette a Rivulet di scrivere e leggere programmi pezzo. Concedere questi diritti all’utente OPC UA, oppure copiare il modello sul controllo a mano.</translation>
-    </message>
-    <message>
-        <source>These cells cannot be used. Choose R-parameters that exist (MD28050).</source>
-        <translation>Queste celle non sono utilizzabili. Scegliere parametri R esistenti (MD28050).</translation>
-    </message>
-    <message>
-        <source>A program is running on the control: the measurement has ended. The cells have their old values.</source>
-        <translation>Sul controllo è in corso un programma: la misura è terminata. Le celle hanno i valori di prima.</translation>
-    </message>
-    <message>
-        <source>The calibration was cancelled. The cells have their old values.</source>
-        <translation>La calibrazione è stata annullata. Le celle hanno i valori di prima.</translation>
-    </message>
-    <message>
-        <source>The cells could not be restored and may hold test values. Set them at the control.</source>
-        <translation>Non è stato possibile ripristinare le celle, che possono contenere valori di prova. Impostarle sul controllo.</translation>
     </message>
     <message>
         <source>Only method window streams rotary axes. Choose it.</source>
@@ -1571,10 +1551,6 @@
         <translation>Il testo lascia aperto il suo significato. Scegliere il dialetto, l’unità o la lettura dei numeri senza punto decimale.</translation>
     </message>
     <message>
-        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
-        <translation>Il controllo non obbedisce alla cella di avanzamento: arresto temporaneo, arresto e override non agirebbero. Nulla è stato mosso. Verificare che una SINUMERIK abbia le azioni sincrone, o un LinuxCNC i componenti di docs/linuxcnc.md.</translation>
-    </message>
-    <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>La via diretta al primo punto passa nella zona che il programma lavora. Sollevare prima l&apos;utensile.</translation>
     </message>
@@ -1601,6 +1577,30 @@
     <message>
         <source>The server keeps no history of this node. Have it recorded at the server.</source>
         <translation>Il server non conserva lo storico di questo nodo. Farlo registrare sul server.</translation>
+    </message>
+    <message>
+        <source>The R-parameters of method window are out of range. Check base, stride and number of windows.</source>
+        <translation>I parametri R del metodo Finestra sono fuori campo. Controllare base, passo e numero di finestre.</translation>
+    </message>
+    <message>
+        <source>These R-parameters cannot be used. Choose some that exist (MD28050).</source>
+        <translation>Questi parametri R non si possono usare. Sceglierne di esistenti (MD28050).</translation>
+    </message>
+    <message>
+        <source>A program is running on the control: the measurement has ended. The R-parameters have their old values.</source>
+        <translation>Sul controllo è in corso un programma: la misura è terminata. I parametri R hanno i valori di prima.</translation>
+    </message>
+    <message>
+        <source>The calibration was cancelled. The R-parameters have their old values.</source>
+        <translation>La calibrazione è stata annullata. I parametri R hanno i valori di prima.</translation>
+    </message>
+    <message>
+        <source>The R-parameters could not be restored and may hold test values. Set them at the control.</source>
+        <translation>I parametri R non sono stati ripristinati e possono contenere valori di prova. Impostarli sul controllo.</translation>
+    </message>
+    <message>
+        <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>Il controllo non obbedisce all’override: pausa, stop e override non agirebbero. Nulla è stato mosso. Verificare che una SINUMERIK abbia le azioni sincrone, o un LinuxCNC i componenti di docs/linuxcnc.md.</translation>
     </message>
 </context>
 <context>
@@ -2005,10 +2005,6 @@
         <translation>%1 mosso di %2 a %3; fermato, era fermo dopo %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
-        <translation>Stop, pausa e override agiscono subito perché il controllo obbedisce a una cella in ogni ciclo di interpolazione. Questa prova accerta se lo fa: prima senza movimento, poi, se si è d&apos;accordo, con un asse che va e torna in aria e viene fermato lungo il percorso. Il canale deve essere in reset.</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. L&apos;override viene cambiato mentre l&apos;asse si muove. Poi premere ancora una volta Start NC: il programma successivo deve muoversi con il proprio avanzamento, e solo il controllo può fermarlo.</translation>
     </message>
@@ -2065,10 +2061,6 @@
         <translation>Il programma successivo si muove con il proprio avanzamento.</translation>
     </message>
     <message>
-        <source>No other client writes the feed cell.</source>
-        <translation>Nessun altro client scrive nella cella di avanzamento.</translation>
-    </message>
-    <message>
         <source>; the tool may be lifted by %1</source>
         <translation>; l’utensile può essere sollevato di %1</translation>
     </message>
@@ -2099,6 +2091,14 @@
     <message>
         <source>Let go, the axis moves only when the tool is back.</source>
         <translation>Rilasciato, l’asse si muove solo quando l’utensile è tornato.</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys an R-parameter in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Stop, pausa e override agiscono subito perché il controllo obbedisce a un parametro R in ogni ciclo di interpolazione. Questa prova accerta se lo fa: prima senza movimento, poi, se si è d&apos;accordo, con un asse che va e torna in aria e viene fermato lungo il percorso. Il canale deve essere in reset.</translation>
+    </message>
+    <message>
+        <source>No other client writes the override of this test.</source>
+        <translation>Nessun altro client scrive l’override di questa prova.</translation>
     </message>
 </context>
 <context>
@@ -2469,8 +2469,8 @@
         <translation>Non raggiungibile: nessuna risposta %1 fa</translation>
     </message>
     <message>
-        <source>test of the feed cell</source>
-        <translation>prova della cella di avanzamento</translation>
+        <source>stop test</source>
+        <translation>prova di stop</translation>
     </message>
 </context>
 <context>
@@ -2730,8 +2730,8 @@
         <translation>Senza questo computer gli assi si fermano dopo 0,2 - 60 s; 0: mai.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
-        <translation>Senza cella di avanzamento provata una finestra dura al massimo da 0,5 a 600 s.</translation>
+        <source>Without a passed stop test a window takes at most 0.5 to 600 s.</source>
+        <translation>Senza prova di stop superata una finestra dura al massimo da 0,5 a 600 s.</translation>
     </message>
 </context>
 <context>
@@ -5047,10 +5047,6 @@ GPL-3.0-or-later</translation>
         <translation>Stop</translation>
     </message>
     <message>
-        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
-        <translation>Questo metodo non ha una cella di avanzamento: dopo Stop il controllo esegue ancora il suo ciclo, al massimo %1 in %2.</translation>
-    </message>
-    <message>
         <source>The axes stand at once, on the path. How long they brake is not known.</source>
         <translation>Gli assi si fermano subito, sulla traiettoria. Non si sa per quanto tempo frenano.</translation>
     </message>
@@ -5213,6 +5209,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without a factor for %1 your override acts alone.</source>
         <translation>Senza un fattore per %1 agisce solo il vostro override.</translation>
+    </message>
+    <message>
+        <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Con questo metodo, dopo Stop il controllo esegue ancora il suo ciclo, al massimo %1 in %2.</translation>
     </message>
 </context>
 <context>
@@ -5750,10 +5750,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CalibrationPage</name>
     <message>
-        <source>Cells</source>
-        <translation>Celle</translation>
-    </message>
-    <message>
         <source>to</source>
         <translation>a</translation>
     </message>
@@ -5768,10 +5764,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>no limit</source>
         <translation>nessun limite</translation>
-    </message>
-    <message>
-        <source>Arrays too: for the test, the cells hold other values for a moment</source>
-        <translation>Anche array: per il test le celle hanno per un istante altri valori</translation>
     </message>
     <message>
         <source>No program, cycle or other client uses R%1 to R%2: they may be written</source>
@@ -5810,20 +5802,8 @@ GPL-3.0-or-later</translation>
         <translation>%1 misure su %2, %3</translation>
     </message>
     <message>
-        <source>Restoring the cells …</source>
-        <translation>Ripristino delle celle…</translation>
-    </message>
-    <message>
-        <source>The last cell is before the first.</source>
-        <translation>L’ultima cella precede la prima.</translation>
-    </message>
-    <message>
         <source>Takes about %1.</source>
         <translation>Dura circa %1.</translation>
-    </message>
-    <message>
-        <source>Confirm the cells to begin.</source>
-        <translation>Confermare le celle per iniziare.</translation>
     </message>
     <message>
         <source>%1, %2, R%3 to R%4, took %5</source>
@@ -5842,8 +5822,28 @@ GPL-3.0-or-later</translation>
         <translation>Il tempo non è bastato per tutte le misure: i numeri ridotti sono in grassetto nella tabella.</translation>
     </message>
     <message>
-        <source>This machine is not calibrated: %1 per cell is assumed, as in [P1].</source>
-        <translation>Questa macchina non è calibrata: si ipotizza %1 per cella, come in [P1].</translation>
+        <source>Restoring the R-parameters …</source>
+        <translation>Ripristino dei parametri R …</translation>
+    </message>
+    <message>
+        <source>The last R-parameter is before the first.</source>
+        <translation>L’ultimo parametro R viene prima del primo.</translation>
+    </message>
+    <message>
+        <source>Confirm the R-parameters to begin.</source>
+        <translation>Confermare i parametri R per iniziare.</translation>
+    </message>
+    <message>
+        <source>This machine is not calibrated: %1 for each R-parameter are assumed.</source>
+        <translation>Questa macchina non è calibrata: si ipotizzano %1 per parametro R.</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parametri R</translation>
+    </message>
+    <message>
+        <source>Arrays too: for the test, they hold other values for a moment</source>
+        <translation>Anche array: per il test hanno per un istante altri valori</translation>
     </message>
 </context>
 <context>
@@ -6415,10 +6415,6 @@ GPL-3.0-or-later</translation>
         <translation>Il controllo non è un SINUMERIK</translation>
     </message>
     <message>
-        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
-        <translation>Una mappa dice con quali nomi questo controllo ha celle, assi e stati. rivulet-cli map ne propone una.</translation>
-    </message>
-    <message>
         <source>File with the map (.toml). It is remembered for this machine.</source>
         <translation>File con la mappa (.toml). Viene ricordato per questa macchina.</translation>
     </message>
@@ -6429,6 +6425,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
         <translation>Quale libreria si collega con la macchina. Qt OPC UA è più lento, non cripta e non accetta né mappa né utente.</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its memory, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Una mappa dice con quali nomi questo controllo ha memoria, assi e stati. rivulet-cli map ne propone una.</translation>
     </message>
 </context>
 <context>
@@ -6825,10 +6825,6 @@ GPL-3.0-or-later</translation>
         <translation>Non è ancora stato appreso nulla.</translation>
     </message>
     <message>
-        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
-        <translation>Su tratti esclusi dall’apprendimento (RMS): %1. Da una registrazione usata per verificare non si è appreso nulla.</translation>
-    </message>
-    <message>
         <source>Reading %1 …</source>
         <translation>Lettura di %1…</translation>
     </message>
@@ -6933,10 +6929,6 @@ GPL-3.0-or-later</translation>
         <translation>Preset con i limiti della macchina; con essi si pianificano i valori nominali dei programmi</translation>
     </message>
     <message>
-        <source>Error on stretches held out, while learning</source>
-        <translation>Errore sui tratti esclusi, durante l’apprendimento</translation>
-    </message>
-    <message>
         <source>Models tried</source>
         <translation>Modelli provati</translation>
     </message>
@@ -7015,6 +7007,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Matrix</source>
         <translation>Matrice</translation>
+    </message>
+    <message>
+        <source>On parts that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>Su parti escluse dall’apprendimento (RMS): %1. Da una registrazione usata per verificare non si è appreso nulla.</translation>
+    </message>
+    <message>
+        <source>Error on parts held out, while learning</source>
+        <translation>Errore sulle parti escluse, durante l’apprendimento</translation>
     </message>
 </context>
 <context>
@@ -7312,16 +7312,16 @@ GPL-3.0-or-later</translation>
         <translation>Per richiesta (a)</translation>
     </message>
     <message>
-        <source>Per cell (b)</source>
-        <translation>Per cella (b)</translation>
-    </message>
-    <message>
-        <source>± per cell</source>
-        <translation>± per cella</translation>
-    </message>
-    <message>
         <source>Residual</source>
         <translation>Scarto</translation>
+    </message>
+    <message>
+        <source>Per R-parameter (b)</source>
+        <translation>Per parametro R (b)</translation>
+    </message>
+    <message>
+        <source>± of b</source>
+        <translation>± di b</translation>
     </message>
 </context>
 <context>
@@ -7451,10 +7451,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::LinesChart</name>
     <message>
-        <source>Cells of the request</source>
-        <translation>Celle della richiesta</translation>
-    </message>
-    <message>
         <source>Duration, ms</source>
         <translation>Durata, ms</translation>
     </message>
@@ -7465,6 +7461,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>read</source>
         <translation>lettura</translation>
+    </message>
+    <message>
+        <source>R-parameters of the request</source>
+        <translation>Parametri R della richiesta</translation>
     </message>
 </context>
 <context>
@@ -8267,10 +8267,6 @@ GPL-3.0-or-later</translation>
         <translation>N (punti per finestra)</translation>
     </message>
     <message>
-        <source>This method does not use δ: it watches a cell, not the tool</source>
-        <translation>Questo metodo non usa δ: osserva una cella, non l’utensile</translation>
-    </message>
-    <message>
         <source>Reach: the next window must be written while the tool executes the current one.</source>
         <translation>Portata: la finestra successiva deve essere scritta mentre l’utensile esegue quella attuale.</translation>
     </message>
@@ -8293,10 +8289,6 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Credit (experimental)</source>
         <translation>Credito (sperimentale)</translation>
-    </message>
-    <message>
-        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches a cell in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
-        <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva una cella in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test della pagina Test credito.</translation>
     </message>
     <message>
         <source>Windows have a layout of their own</source>
@@ -8473,6 +8465,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Points</source>
         <translation>Punti</translation>
+    </message>
+    <message>
+        <source>This method does not use δ: it watches an R-parameter, not the tool</source>
+        <translation>Questo metodo non usa δ: osserva un parametro R, non l’utensile</translation>
+    </message>
+    <message>
+        <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
+        <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva un parametro R in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test della pagina Test credito.</translation>
     </message>
 </context>
 <context>
@@ -9373,12 +9373,12 @@ GPL-3.0-or-later</translation>
         <translation>Senza questo computer gli assi si fermano dopo, s</translation>
     </message>
     <message>
-        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
-        <translation>Dove uno stop agisce con certezza solo prima della finestra successiva, perché questo controllo non ha superato la prova della cella di avanzamento, nessuna finestra di più movimenti dura più a lungo.</translation>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the stop test, no window of several moves takes longer.</source>
+        <translation>Dove uno stop agisce con certezza solo prima della finestra successiva, perché questo controllo non ha superato la prova di stop, nessuna finestra di più movimenti dura di più.</translation>
     </message>
     <message>
-        <source>Without a proved feed cell a window takes at most, s</source>
-        <translation>Senza cella di avanzamento provata una finestra dura al massimo, s</translation>
+        <source>Without a passed stop test a window takes at most, s</source>
+        <translation>Senza prova di stop superata una finestra dura al massimo, s</translation>
     </message>
 </context>
 <context>
@@ -10087,24 +10087,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Stop</translation>
     </message>
     <message>
-        <source>Sent</source>
-        <translation>Inviati</translation>
-    </message>
-    <message>
-        <source>Accepted</source>
-        <translation>Accettati</translation>
-    </message>
-    <message>
         <source>Executed</source>
         <translation>Eseguiti</translation>
-    </message>
-    <message>
-        <source>Margin</source>
-        <translation>Margine</translation>
-    </message>
-    <message>
-        <source>Time until the control needs the next point, minus the 99th percentile of the access time</source>
-        <translation>Tempo fino a quando il controllo ha bisogno del punto successivo, meno il 99º percentile del tempo di accesso</translation>
     </message>
     <message>
         <source>Start is not possible: %1</source>
@@ -10129,10 +10113,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 of %2</source>
         <translation>%1 di %2</translation>
-    </message>
-    <message>
-        <source>(too late)</source>
-        <translation>(troppo tardi)</translation>
     </message>
     <message>
         <source>Resume …</source>
@@ -10263,20 +10243,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Resta</translation>
     </message>
     <message>
-        <source>Buffer</source>
-        <translation>Buffer</translation>
-    </message>
-    <message>
         <source>Points that are known to be executed</source>
         <translation>Punti che risultano eseguiti</translation>
-    </message>
-    <message>
-        <source>Points that were sent to the control</source>
-        <translation>Punti inviati al controllo</translation>
-    </message>
-    <message>
-        <source>Points that the control has confirmed</source>
-        <translation>Punti confermati dal controllo</translation>
     </message>
     <message>
         <source>Only the computer that streams this run knows it.</source>
@@ -10305,14 +10273,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Tempo residuo stimato, con gli avanzamenti e le pause previste di questa esecuzione. La sospensione e l’override del controllo non sono compresi.</translation>
-    </message>
-    <message>
-        <source>Known while points have to be sent.</source>
-        <translation>Noto finché restano punti da inviare.</translation>
-    </message>
-    <message>
-        <source>Points that the control has and that are not known to be executed</source>
-        <translation>Punti che il controllo ha e che non risultano ancora eseguiti</translation>
     </message>
     <message>
         <source>No run of this window is in progress.</source>
@@ -10365,13 +10325,6 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%Ln finestre</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln pts</source>
-        <translation>
-            <numerusform>%Ln pto</numerusform>
-            <numerusform>%Ln pti</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Punti che risultano eseguiti, a partire dal punto %1</translation>
@@ -10419,10 +10372,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The axes stand at once, until you press Continue.</source>
         <translation>Gli assi si fermano subito, finché non si preme Continua.</translation>
-    </message>
-    <message>
-        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Gli assi si fermano subito se il programma ha una cella di avanzamento, altrimenti alla fine della sua finestra. Esc fa lo stesso, da qualsiasi punto. Non sostituisce l&apos;arresto di emergenza della macchina.</translation>
     </message>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
@@ -10487,6 +10436,41 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>stands in %1</source>
         <translation>fermo in %1</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program obeys this computer&apos;s override, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Gli assi si fermano subito se il programma obbedisce all&apos;override di questo computer, altrimenti alla fine della sua finestra. Esc fa lo stesso, da qualsiasi punto. Non sostituisce l&apos;arresto di emergenza della macchina.</translation>
+    </message>
+    <message>
+        <source>Stream</source>
+        <translation>Flusso</translation>
+    </message>
+    <message>
+        <source>Sent to the control: %1, confirmed by it: %2</source>
+        <translation>Inviati al controllo: %1, confermati: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln moves in hand</source>
+        <translation>
+            <numerusform>%Ln movimento pronto</numerusform>
+            <numerusform>%Ln movimenti pronti</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moves in hand: what the control has and has not executed yet.</source>
+        <translation>Movimenti pronti: ciò che il controllo ha e non ha ancora eseguito.</translation>
+    </message>
+    <message>
+        <source>late, %1</source>
+        <translation>in ritardo, %1</translation>
+    </message>
+    <message>
+        <source>on time, %1</source>
+        <translation>in tempo, %1</translation>
+    </message>
+    <message>
+        <source>Margin %1: time until the control needs the next point, minus the 99th percentile of the access time</source>
+        <translation>Margine %1: tempo fino a quando il controllo ha bisogno del punto successivo, meno il 99º percentile del tempo di accesso</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10748,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Accesso</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celle</translation>
-    </message>
-    <message>
         <source>Shots</source>
         <translation>Misure</translation>
     </message>
@@ -10782,6 +10762,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parametri R</translation>
     </message>
 </context>
 <context>
@@ -11378,10 +11362,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Salva…</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celle</translation>
-    </message>
-    <message>
         <source>No template: %1</source>
         <translation>Nessun modello: %1</translation>
     </message>
@@ -11408,6 +11388,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
         <translation>Una pagina con i passi sul controllo, i diritti, che cosa vede l’operatore e come rimuovere tutto</translation>
+    </message>
+    <message>
+        <source>R-parameters</source>
+        <translation>Parametri R</translation>
     </message>
 </context>
 <context>
@@ -11467,6 +11451,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Start at the chosen line. First it is shown what would move.</source>
         <translation>Avvia dalla riga scelta. Prima viene mostrato che cosa si muoverebbe.</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Cerca</translation>
+    </message>
+    <message>
+        <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
+        <translation>Cercare nel testo (Ctrl+F) o andare a una riga (Ctrl+G)</translation>
     </message>
 </context>
 <context>

@@ -295,6 +295,8 @@ void MainWindow::connectSteps() {
 QWidget* MainWindow::makeHeader(QWidget* parent) {
   auto* header = new QWidget(parent);
   header->setFixedHeight(kHeaderHeightPx);
+  header->setBackgroundRole(QPalette::Base);
+  header->setAutoFillBackground(true);
   auto* row = new QHBoxLayout(header);
   row->setContentsMargins(4, 0, 4, 0);
   m_buttons.machine = makeMachineButton(&m_machine, header);

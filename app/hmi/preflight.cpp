@@ -1110,7 +1110,7 @@ PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) con
     item.text = hasWindows
                     ? tr("After Stop the control still executes its window, at most %1 in %2.")
                           .arg(mm, seconds)
-                    : tr("This method has no feed cell: after Stop the control still executes its "
+                    : tr("With this method, after Stop the control still executes its "
                          "loop, at most %1 in %2.")
                           .arg(mm, seconds);
     if (bound.longMove) {

@@ -35,14 +35,15 @@ QString lineText(const streaming::Calibration& calibration, bool write, opcua::G
 AccessSourceText accessSourceText(const AccessSource& source, base::Duration accessTime) {
   const QString time = millisecondsText(accessTime, 2);
   if (!source.record) {
-    return {Status::Plain,
-            AccessTexts::tr("Access assumed as in [P1]: %1 per cell. See Calibration.").arg(time)};
+    return {
+        Status::Plain,
+        AccessTexts::tr("Access is assumed: %1 for each R-parameter. See Calibration.").arg(time)};
   }
   const QString date = dateText(source.record->measuredAtUtc);
   if (source.isOutdated) {
     return {Status::Attention,
-            AccessTexts::tr("Access assumed as in [P1]: %1 per cell. The calibration of %2 belongs "
-                            "to another version of the server and is not used.")
+            AccessTexts::tr("Access is assumed: %1 for each R-parameter. The calibration of %2 "
+                            "belongs to another version of the server and is not used.")
                 .arg(time, date)};
   }
   const streaming::Calibration& calibration = source.record->calibration;
@@ -52,16 +53,18 @@ AccessSourceText accessSourceText(const AccessSource& source, base::Duration acc
                lineText(calibration, true, source.form));
   const auto tail = calibration.tail(true, source.form, source.cellsMax);
   if (tail) {
-    text += QLatin1Char(' ') + AccessTexts::tr("99 % of the writes of %n cells end within %1.",
-                                               nullptr, source.cellsMax)
-                                   .arg(millisecondsText(*tail));
+    text +=
+        QLatin1Char(' ') + AccessTexts::tr("99 % of the writes of %n R-parameters end within %1.",
+                                           nullptr, source.cellsMax)
+                               .arg(millisecondsText(*tail));
   }
   int measured = 0;
   for (const streaming::AccessSeries& series : calibration.series) {
     measured = std::max(measured, series.nodes);
   }
   if (source.cellsMax > measured) {
-    text += QLatin1Char(' ') + AccessTexts::tr("Up to %n cells were measured.", nullptr, measured);
+    text += QLatin1Char(' ') +
+            AccessTexts::tr("Up to %n R-parameters were measured.", nullptr, measured);
   }
   return {Status::Plain, text};
 }

@@ -112,7 +112,7 @@ void LinesChart::setCalibration(const streaming::Calibration* calibration) {
 }
 
 void LinesChart::retranslate() {
-  setTitles(tr("Cells of the request"), tr("Duration, ms"));
+  setTitles(tr("R-parameters of the request"), tr("Duration, ms"));
 }
 
 void LinesChart::redraw() {

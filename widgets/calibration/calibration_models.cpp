@@ -58,7 +58,7 @@ SeriesModel::SeriesModel(QObject* parent)
             [](const AccessSeries& series) { return formText(series.grouping); }},
            {[] { return tr("Access"); },
             [](const AccessSeries& series) { return series.write ? tr("write") : tr("read"); }},
-           {[] { return tr("Cells"); },
+           {[] { return tr("R-parameters"); },
             [](const AccessSeries& series) { return QString::number(series.nodes); }, true},
            {[] { return tr("Shots"); },
             [](const AccessSeries& series) {
@@ -102,9 +102,9 @@ FitModel::FitModel(QObject* parent)
             [](const AccessFit& fit) { return fit.write ? tr("write") : tr("read"); }},
            {[] { return tr("Per request (a)"); },
             [](const AccessFit& fit) { return millisecondsText(fit.overheadMs, 2); }, true},
-           {[] { return tr("Per cell (b)"); },
+           {[] { return tr("Per R-parameter (b)"); },
             [](const AccessFit& fit) { return millisecondsText(fit.nodeMs, 3); }, true},
-           {[] { return tr("± per cell"); },
+           {[] { return tr("± of b"); },
             [](const AccessFit& fit) { return millisecondsText(fit.nodeDeviationMs, 2); }, true},
            {[] { return tr("Residual"); },
             [](const AccessFit& fit) {

@@ -254,7 +254,7 @@ void CalibrationPage::refresh() {
                      countText(static_cast<std::size_t>(progress.shotsPlanned)), left));
         break;
       case Phase::Restore:
-        m_hint->setStatus(Status::Busy, tr("Restoring the cells …"));
+        m_hint->setStatus(Status::Busy, tr("Restoring the R-parameters …"));
         break;
     }
     return;
@@ -262,7 +262,7 @@ void CalibrationPage::refresh() {
   if (!m_blocked.isEmpty()) {
     m_hint->setStatus(Status::Attention, m_blocked);
   } else if (!range) {
-    m_hint->setStatus(Status::Attention, tr("The last cell is before the first."));
+    m_hint->setStatus(Status::Attention, tr("The last R-parameter is before the first."));
   } else {
     const base::Duration expected =
         streaming::expectedDuration(plan(), m_record ? &m_record->calibration : nullptr);
@@ -270,7 +270,7 @@ void CalibrationPage::refresh() {
     m_hint->setStatus(Status::Plain,
                       m_confirm->isChecked()
                           ? takes
-                          : takes + QLatin1Char(' ') + tr("Confirm the cells to begin."));
+                          : takes + QLatin1Char(' ') + tr("Confirm the R-parameters to begin."));
   }
 }
 
@@ -278,7 +278,7 @@ void CalibrationPage::showState() {
   m_tabs->setVisible(m_record != nullptr);
   if (!m_record) {
     m_state->setStatus(Status::Unknown,
-                       tr("This machine is not calibrated: %1 per cell is assumed, as in [P1].")
+                       tr("This machine is not calibrated: %1 for each R-parameter are assumed.")
                            .arg(millisecondsText(feasibility::AccessModel{}.accessTime)));
     return;
   }

@@ -69,13 +69,13 @@ class CalibrationPage final : public Page {
   bool m_outdated = false;
   std::optional<streaming::CalibrationProgress> m_progressShown;
 
-  QLabel* m_cellsName = label({.text = QT_TR_NOOP("Cells")});
+  QLabel* m_cellsName = label({.text = QT_TR_NOOP("R-parameters")});
   WholeNumberField* m_firstCell;
   WholeNumberField* m_lastCell;
   WholeNumberField* m_shots;
   WholeNumberField* m_budget;
   QCheckBox* m_arrays = checkBox(
-      {.text = QT_TR_NOOP("Arrays too: for the test, the cells hold other values for a moment")});
+      {.text = QT_TR_NOOP("Arrays too: for the test, they hold other values for a moment")});
   QCheckBox* m_confirm = checkBox({});
   QPushButton* m_start = button({.text = QT_TR_NOOP("Calibrate")});
   QProgressBar* m_progress;

@@ -100,7 +100,7 @@ class FeedTestTexts final : public ControlTestTexts {
   [[nodiscard]] bool mayMove() const override { return true; }
   [[nodiscard]] QString what() const override {
     return tr(
-        "Stop, pause and override act at once because the control obeys a cell in every "
+        "Stop, pause and override act at once because the control obeys an R-parameter in every "
         "interpolation cycle. This test finds out whether it does: first without motion, then, if "
         "you agree, with one axis that moves back and forth in the air and is held on its way. "
         "The channel must be in reset.");
@@ -154,7 +154,7 @@ class FeedTestTexts final : public ControlTestTexts {
         {"stands-lifted", QT_TR_NOOP("The axis stands while the tool is lifted.")},
         {"lowers", QT_TR_NOOP("The tool comes back to its path.")},
         {"waits-for-tool", QT_TR_NOOP("Let go, the axis moves only when the tool is back.")},
-        {"only-this-client", QT_TR_NOOP("No other client writes the feed cell.")},
+        {"only-this-client", QT_TR_NOOP("No other client writes the override of this test.")},
     }};
     for (const auto& [name, said] : kSaid) {
       if (check.name == name) {

@@ -179,7 +179,7 @@ struct ErrorTexts {
         return tr("No axis is chosen. Choose at least one axis.");
       case TemplateError::BadCells:
         return tr(
-            "The cells of method window are out of range. Check base, stride and number of "
+            "The R-parameters of method window are out of range. Check base, stride and number of "
             "windows.");
       case TemplateError::FileNotWritable:
         return tr("The file cannot be written. Choose another folder.");
@@ -388,16 +388,17 @@ struct ErrorTexts {
     using streaming::CalibrationError;
     switch (code) {
       case CalibrationError::NoCells:
-        return tr("These cells cannot be used. Choose R-parameters that exist (MD28050).");
+        return tr("These R-parameters cannot be used. Choose some that exist (MD28050).");
       case CalibrationError::ChannelBusy:
         return tr(
-            "A program is running on the control: the measurement has ended. The cells have their "
-            "old values.");
+            "A program is running on the control: the measurement has ended. The R-parameters have "
+            "their old values.");
       case CalibrationError::Cancelled:
-        return tr("The calibration was cancelled. The cells have their old values.");
+        return tr("The calibration was cancelled. The R-parameters have their old values.");
       case CalibrationError::NotRestored:
         return tr(
-            "The cells could not be restored and may hold test values. Set them at the control.");
+            "The R-parameters could not be restored and may hold test values. Set them at the "
+            "control.");
     }
     return {};
   }
@@ -519,7 +520,7 @@ struct ErrorTexts {
             "tool first.");
       case StreamError::FeedCellIgnored:
         return tr(
-            "The control does not obey the feed cell: hold, stop and override would not act. "
+            "The control does not obey the override: pause, stop and override would not act. "
             "Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the "
             "components of docs/linuxcnc.md.");
       case StreamError::BadAirMove:

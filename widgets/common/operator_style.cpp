@@ -5,6 +5,7 @@
 
 #include <QAbstractSpinBox>
 #include <QPainter>
+#include <QSlider>
 #include <QStyleOption>
 #include <algorithm>
 
@@ -18,16 +19,40 @@ constexpr int kIndicatorPx = 22;
 constexpr int kSliderHandlePx = 28;
 constexpr int kScrollBarPx = 18;
 constexpr int kMenuRowPx = 36;
-constexpr qreal kRadiusPx = 6.0;
+constexpr int kScrollHandlePx = 8;
+constexpr int kChevronPx = 10;
+constexpr int kThinBarPx = 8;  ///< of a progress that has no room for a text
+constexpr qreal kGroovePx = 4.0;
+constexpr qreal kRadiusPx = 8.0;
 constexpr qreal kBoxRadiusPx = 4.0;
 constexpr int kSelectedTabLinePx = 3;
 constexpr int kCheckedLinePx = 4;
+constexpr float kCheckedTint = 0.14F;  ///< share of the accent in the fill of what is chosen
 
-/// The border of something that can be operated.
+/// The border of a field: something is entered there.
 QPen border(const QStyleOption& option) {
   const ThemeColors& colors = themeColors(option.palette);
   const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
   return {isEnabled ? colors.outline : colors.line, colors.isContrast && isEnabled ? 2.0 : 1.0};
+}
+
+/// The border of a button, whose word says what it is: a hairline, in the accent while it is
+/// chosen.
+QPen buttonBorder(const QStyleOption& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  if (colors.isContrast) {
+    return border(option);
+  }
+  return {option.state.testFlag(QStyle::State_On) ? colors.accent : colors.line, 1.0};
+}
+
+QColor mixed(const QColor& ground, const QColor& other, float share) {
+  const auto channel = [share](auto a, auto b) {
+    return (1.0F - share) * static_cast<float>(a) + share * static_cast<float>(b);
+  };
+  return QColor::fromRgbF(channel(ground.redF(), other.redF()),
+                          channel(ground.greenF(), other.greenF()),
+                          channel(ground.blueF(), other.blueF()));
 }
 
 void drawBorder(QPainter& painter, const QRect& rect, const QPen& pen) {
@@ -52,18 +77,25 @@ void drawButton(QPainter& painter, const QStyleOption& option) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(option.palette.color(QPalette::Button)
+  const ThemeColors& colors = themeColors(option.palette);
+  const QColor ground = option.palette.color(QPalette::Button);
+  const bool isChosen = option.state.testFlag(QStyle::State_On) && !colors.isContrast;
+  painter.setBrush((isChosen ? mixed(ground, colors.accent, kCheckedTint) : ground)
                        .darker(isPressed ? kPressedPercent
                                : isUnder ? kHoverPercent
                                          : 100));
   painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
   painter.restore();
-  drawBorder(painter, option.rect, border(option));
+  // A filled button is seen by its colour.
+  const bool isFilled = ground != colors.button && !colors.isContrast;
+  if (!isFilled) {
+    drawBorder(painter, option.rect, buttonBorder(option));
+  }
 }
 
-/// A button that stays pressed: the shade alone is not seen in every theme.
+/// A button that stays pressed, in the theme whose buttons have no shades.
 void markChecked(QPainter& painter, const QStyleOption& option) {
-  if (option.state.testFlag(QStyle::State_On)) {
+  if (option.state.testFlag(QStyle::State_On) && themeColors(option.palette).isContrast) {
     QRect line = option.rect.adjusted(4, 0, -4, -3);
     line.setTop(line.bottom() - kCheckedLinePx + 1);
     painter.fillRect(line, themeColors(option.palette).accent);
@@ -118,22 +150,112 @@ void drawRadioButton(QPainter& painter, const QStyleOption& option) {
   painter.restore();
 }
 
-/// The line on both sides of the handle.
-void drawGroove(QPainter& painter, const QRect& groove, const QRect& handle,
-                const QStyleOption& option) {
-  const QPen pen(themeColors(option.palette).outline, 2.0);
-  painter.save();
-  painter.setPen(pen);
-  if (option.state.testFlag(QStyle::State_Horizontal)) {
-    const int y = groove.center().y();
-    painter.drawLine(groove.left(), y, handle.left() - 1, y);
-    painter.drawLine(handle.right() + 2, y, groove.right(), y);
+/// A line up to the handle in the accent, and a round handle.
+void drawSlider(QPainter& painter, const QRect& groove, const QRect& handle,
+                const QStyleOptionSlider& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  const bool isFlat = option.orientation == Qt::Horizontal;
+  const QPointF centre = QRectF(handle).center();
+  QRectF line(groove);
+  if (isFlat) {
+    line.setHeight(kGroovePx);
+    line.moveCenter({line.center().x(), centre.y()});
   } else {
-    const int x = groove.center().x();
-    painter.drawLine(x, groove.top(), x, handle.top() - 1);
-    painter.drawLine(x, handle.bottom() + 2, x, groove.bottom());
+    line.setWidth(kGroovePx);
+    line.moveCenter({centre.x(), line.center().y()});
   }
+  QRectF passed = line;
+  if (isFlat) {
+    option.upsideDown ? passed.setLeft(centre.x()) : passed.setRight(centre.x());
+  } else {
+    option.upsideDown ? passed.setTop(centre.y()) : passed.setBottom(centre.y());
+  }
+  const QColor mark = isEnabled ? colors.accent : colors.line;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.isContrast ? colors.outline : colors.line);
+  painter.drawRoundedRect(line, kGroovePx / 2.0, kGroovePx / 2.0);
+  painter.setBrush(mark);
+  painter.drawRoundedRect(passed, kGroovePx / 2.0, kGroovePx / 2.0);
+  painter.setPen(QPen(mark, 3.0));
+  painter.setBrush(colors.surface);
+  const double radius = std::min(handle.width(), handle.height()) / 2.0 - 4.0;
+  painter.drawEllipse(centre, radius, radius);
   painter.restore();
+}
+
+/// Behind a line of text that can be edited.
+void drawField(QPainter& painter, const QStyleOption& option) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(option.palette.brush(QPalette::Base));
+  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
+  painter.restore();
+  drawBorder(painter, option.rect, border(option));
+}
+
+/// How far it is, as a line.
+void drawThinBar(QPainter& painter, const QStyleOptionProgressBar& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  painter.fillRect(option.rect, colors.line);
+  QRect done = option.rect;
+  const int span = std::max(1, option.maximum - option.minimum);
+  done.setWidth(done.width() * (option.progress - option.minimum) / span);
+  painter.fillRect(done, colors.accent);
+}
+
+/// Only the handle: where one is in a list, and what can be dragged.
+void drawScrollHandle(QPainter& painter, const QRect& part, const QStyleOptionSlider& option) {
+  QRectF handle(part);
+  const QPointF centre = handle.center();
+  if (option.orientation == Qt::Vertical) {
+    handle.setWidth(kScrollHandlePx);
+  } else {
+    handle.setHeight(kScrollHandlePx);
+  }
+  handle.moveCenter(centre);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(themeColors(option.palette).outline);
+  painter.drawRoundedRect(handle, kScrollHandlePx / 2.0, kScrollHandlePx / 2.0);
+  painter.restore();
+}
+
+/// A list to choose from, closed.
+void drawList(QPainter& painter, const QRect& arrow, const QStyleOptionComboBox& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.button);
+  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
+  const QPointF centre = QRectF(arrow).center();
+  painter.setPen(QPen(isEnabled ? colors.mutedText : colors.line, 2.0, Qt::SolidLine, Qt::RoundCap,
+                      Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  constexpr double kHalf = kChevronPx / 2.0;
+  painter.drawPolyline(QPolygonF{centre + QPointF(-kHalf, -kHalf / 2.0),
+                                 centre + QPointF(0.0, kHalf / 2.0),
+                                 centre + QPointF(kHalf, -kHalf / 2.0)});
+  painter.restore();
+  drawBorder(painter, option.rect, border(option));
+}
+
+/// A word over a line: the page it belongs to is below. The one that is shown has the accent.
+void drawTab(QPainter& painter, const QStyleOptionTab& option) {
+  const ThemeColors& colors = themeColors(option.palette);
+  const bool isChosen = option.state.testFlag(QStyle::State_Selected);
+  QRect line = option.rect;
+  line.setTop(line.bottom() - (isChosen ? kSelectedTabLinePx : 1) + 1);
+  if (!isChosen && option.state.testFlag(QStyle::State_MouseOver)) {
+    painter.fillRect(option.rect, mixed(colors.window, colors.accent, kCheckedTint / 2.0F));
+  }
+  painter.fillRect(line, isChosen ? colors.accent : colors.line);
 }
 
 }  // namespace
@@ -155,6 +277,26 @@ void OperatorStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
       drawButton(*painter, *option);
       markChecked(*painter, *option);
       return;
+    case PE_PanelButtonTool:
+      if (!option->state.testFlag(State_AutoRaise) || option->state.testFlag(State_On)) {
+        drawButton(*painter, *option);
+        markChecked(*painter, *option);
+        return;
+      }
+      break;
+    case PE_PanelLineEdit:
+      if (const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+          frame != nullptr && frame->lineWidth > 0) {
+        drawField(*painter, *option);
+        return;
+      }
+      break;
+    case PE_FrameTabBarBase: {
+      QRect line = option->rect;
+      line.setTop(line.bottom());
+      painter->fillRect(line, themeColors(option->palette).line);
+      return;
+    }
     case PE_FrameFocusRect:
       return;  // FocusFrame shows it
     default:
@@ -162,15 +304,6 @@ void OperatorStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   switch (element) {
-    case PE_FrameLineEdit:
-      drawBorder(*painter, option->rect, border(*option));
-      break;
-    case PE_PanelButtonTool:
-      if (!option->state.testFlag(State_AutoRaise) || option->state.testFlag(State_On)) {
-        drawBorder(*painter, option->rect, border(*option));
-        markChecked(*painter, *option);
-      }
-      break;
     case PE_FrameGroupBox:
     case PE_FrameTabWidget:
     case PE_Frame:
@@ -183,36 +316,91 @@ void OperatorStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
 
 void OperatorStyle::drawControl(ControlElement element, const QStyleOption* option,
                                 QPainter* painter, const QWidget* widget) const {
+  const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+  if (element == CE_TabBarTabShape && tab != nullptr) {
+    drawTab(*painter, *tab);
+    return;
+  }
+  if (element == CE_TabBarTabLabel && tab != nullptr) {
+    QStyleOptionTab label(*tab);
+    const ThemeColors& colors = themeColors(option->palette);
+    if (option->state.testFlag(State_Enabled)) {
+      label.palette.setColor(QPalette::WindowText, option->state.testFlag(State_Selected)
+                                                       ? colors.text
+                                                       : colors.mutedText);
+    }
+    QProxyStyle::drawControl(element, &label, painter, widget);
+    return;
+  }
+  const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option);
+  if (element == CE_ProgressBar && bar != nullptr && option->rect.height() <= kThinBarPx) {
+    drawThinBar(*painter, *bar);
+    return;
+  }
   QProxyStyle::drawControl(element, option, painter, widget);
   if (element == CE_ProgressBarGroove) {
     drawBorder(*painter, option->rect, border(*option));
-  } else if (element == CE_TabBarTabShape && option->state.testFlag(State_Selected)) {
-    QRect line = option->rect;
-    line.setHeight(kSelectedTabLinePx);
-    painter->fillRect(line, themeColors(option->palette).accent);
   }
 }
 
 void OperatorStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                        QPainter* painter, const QWidget* widget) const {
-  QProxyStyle::drawComplexControl(control, option, painter, widget);
   const auto part = [&](SubControl which) {
     return proxy()->subControlRect(control, option, which, widget);
   };
-  switch (control) {
-    case CC_ComboBox:
-    case CC_SpinBox:
-      drawBorder(*painter, option->rect, border(*option));
-      break;
-    case CC_Slider:
-      drawBorder(*painter, part(SC_SliderHandle), border(*option));
-      drawGroove(*painter, part(SC_SliderGroove), part(SC_SliderHandle), *option);
-      break;
-    case CC_ScrollBar:
-      drawBorder(*painter, part(SC_ScrollBarSlider).adjusted(1, 1, -1, -1), border(*option));
-      break;
+  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+  if (control == CC_ScrollBar && slider != nullptr) {
+    painter->fillRect(option->rect, option->palette.color(QPalette::Window));
+    drawScrollHandle(*painter, part(SC_ScrollBarSlider), *slider);
+    return;
+  }
+  if (control == CC_Slider && slider != nullptr && slider->tickPosition == QSlider::NoTicks) {
+    drawSlider(*painter, part(SC_SliderGroove), part(SC_SliderHandle), *slider);
+    return;
+  }
+  if (control == CC_ComboBox && list != nullptr && !list->editable) {
+    drawList(*painter, part(SC_ComboBoxArrow), *list);
+    return;
+  }
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  if (control == CC_ComboBox || control == CC_SpinBox) {
+    drawBorder(*painter, option->rect, border(*option));
+  }
+}
+
+QRect OperatorStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                    SubControl part, const QWidget* widget) const {
+  const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  if (control != CC_ScrollBar || bar == nullptr) {
+    return QProxyStyle::subControlRect(control, option, part, widget);
+  }
+  // No buttons at the ends: the whole length is for the handle.
+  const QRect all = option->rect;
+  const bool isUpright = bar->orientation == Qt::Vertical;
+  const int length = isUpright ? all.height() : all.width();
+  const int span = bar->maximum - bar->minimum;
+  const double share = span > 0 ? static_cast<double>(bar->pageStep) / (span + bar->pageStep) : 1.0;
+  const int handle =
+      std::clamp(static_cast<int>(share * length), std::min(kTouchHeightPx, length), length);
+  const int begin = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition,
+                                            length - handle, bar->upsideDown);
+  const auto between = [&](int from, int to) {
+    const QRect rect = isUpright ? QRect(all.left(), all.top() + from, all.width(), to - from)
+                                 : QRect(all.left() + from, all.top(), to - from, all.height());
+    return visualRect(option->direction, all, rect);
+  };
+  switch (part) {
+    case SC_ScrollBarSlider:
+      return between(begin, begin + handle);
+    case SC_ScrollBarSubPage:
+      return between(0, begin);
+    case SC_ScrollBarAddPage:
+      return between(begin + handle, length);
+    case SC_ScrollBarGroove:
+      return all;
     default:
-      break;
+      return {};
   }
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// How controls are drawn and how large they are, for the whole application: Qt's Fusion with
-/// borders that can be seen in every theme, and with room for a finger. A page need not ask for
-/// either.
+/// How controls are drawn and how large they are, for the whole application: Qt's Fusion, flat,
+/// with hairlines around buttons, borders of 3:1 around fields, lines around everything in the
+/// theme of high contrast, and room for a finger. A page need not ask for any of it.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -24,6 +24,8 @@ class OperatorStyle final : public QProxyStyle {
                    const QWidget* widget) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                           QPainter* painter, const QWidget* widget) const override;
+  [[nodiscard]] QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                     SubControl part, const QWidget* widget) const override;
   [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option,
                                 const QWidget* widget) const override;
   [[nodiscard]] QSize sizeFromContents(ContentsType type, const QStyleOption* option,

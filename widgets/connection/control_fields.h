@@ -52,7 +52,7 @@ class ControlFields final : public Page {
   bool m_hasQtOpcUa = false;
   QCheckBox* m_isMapped =
       checkBox({.text = QT_TR_NOOP("The control is no SINUMERIK"),
-                .tip = QT_TR_NOOP("A map says under which names this control has its cells, axes "
+                .tip = QT_TR_NOOP("A map says under which names this control has its memory, axes "
                                   "and states. rivulet-cli map proposes one."),
                 .id = "mapped"});
   FileField* m_mapFile;

@@ -89,7 +89,7 @@ class MachineCard final : public BoardCard {
       kept.append(tr("credit test"));
     }
     if (m_view.hasFeedTest) {
-      kept.append(tr("test of the feed cell"));
+      kept.append(tr("stop test"));
     }
     const QString question =
         tr("Remove this machine from the list? Its runs and recordings stay on the page Runs.");

@@ -513,7 +513,7 @@ void EmulatorPage::showResult() {
   m_tests.stretches->setText(
       stretches.isEmpty()
           ? tr("Nothing is learned yet.")
-          : tr("On stretches that were held out while learning (RMS): %1. A recording used to test "
+          : tr("On parts that were held out while learning (RMS): %1. A recording used to test "
                "was not learned from at all.")
                 .arg(stretches.join(QStringLiteral(", "))));
   m_parameters.response->setAxes(m_emulator ? m_emulator->emulator.axes
@@ -633,7 +633,7 @@ void EmulatorPage::refresh() {
 
 void EmulatorPage::retranslate() {
   m_recordingsTab.presets->setItemText(m_recordingsTab.presets->count() - 1, tr("File…"));
-  m_recordingsTab.curve->setTitles(tr("Error on stretches held out, while learning"),
+  m_recordingsTab.curve->setTitles(tr("Error on parts held out, while learning"),
                                    tr("Models tried"), tr("Error, µm"));
   m_comparison.matrix->setTitles(tr("Matrix of errors"), tr("Tested on"),
                                  tr("Learned from (error RMS in µm)"));

@@ -73,7 +73,7 @@ struct EmulatorTexts {
         .arg(errorLengthText(offMm), errorLengthText(machineMm));
   }
   static QString onlyStretches(double rmsMm) {
-    return tr("It was tested only on stretches of the same recordings: right within %1 (RMS). Add "
+    return tr("It was tested only on parts of the same recordings: right within %1 (RMS). Add "
               "a recording of another program and use it to test.")
         .arg(errorLengthText(rmsMm));
   }

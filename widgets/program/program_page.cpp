@@ -42,7 +42,7 @@ ProgramPage::ProgramPage(QWidget* parent)
       m_all(new QStackedWidget(this)),
       m_side(new QStackedWidget(this)),
       m_halves(new QSplitter(Qt::Horizontal, this)) {
-  m_panel->setTextPage(m_text);
+  m_panel->setTextPage(m_text, m_text->find());
   m_path->setMinimumWidth(kPathPx);
   m_halves->addWidget(m_path);
   m_side->addWidget(m_panel);
@@ -65,8 +65,7 @@ ProgramPage::ProgramPage(QWidget* parent)
         std::pair(QKeySequence(Qt::CTRL | Qt::Key_G), m_text->lineField())}) {
     connect(new QShortcut(key, this), &QShortcut::activated, field, [this, field = field] {
       m_panel->showTab(ProgramPanel::Text);
-      field->setFocus(Qt::ShortcutFocusReason);
-      field->selectAll();
+      m_text->showSearch(field);
     });
   }
   retranslate();

@@ -20,6 +20,7 @@
 #include <QSortFilterProxyModel>
 #include <QTabWidget>
 #include <QTableView>
+#include <QToolButton>
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
@@ -232,8 +233,10 @@ QWidget* ProgramPanel::makeFindings() {
   return page;
 }
 
-void ProgramPanel::setTextPage(QWidget* page) {
+void ProgramPanel::setTextPage(QWidget* page, QToolButton* find) {
   m_pages[Tab::Text] = page;
+  m_tabs->setCornerWidget(find);
+  connect(find, &QToolButton::clicked, this, [this] { showTab(Tab::Text); });
   m_tabs->insertTab(0, page, QString());
   m_tabs->setCurrentIndex(0);
 }

@@ -25,6 +25,7 @@ class QPushButton;
 class QSortFilterProxyModel;
 class QTabWidget;
 class QTableView;
+class QToolButton;
 class QVBoxLayout;
 
 namespace rivulet::widgets {
@@ -59,8 +60,9 @@ class ProgramPanel final : public Page {
   /// Asks for a file, as the button does.
   void chooseFile();
 
-  /// The text of the program, as the first tab.
-  void setTextPage(QWidget* page);
+  /// The text of the program, as the first tab. @param find  shows the fields to search it; beside
+  /// the tabs
+  void setTextPage(QWidget* page, QToolButton* find);
 
   enum Tab : std::size_t { Text, Figures, Findings };
   void showTab(Tab tab);

@@ -34,16 +34,21 @@ QToolButton* makeTool(QWidget* parent, Qt::ArrowType arrow) {
 TextPane::TextPane(QWidget* parent)
     : Page(parent),
       m_finder(new TextSearch(this)),
+      m_searchRow(new QWidget(this)),
+      m_find(say(new QToolButton(this),
+                 {.text = QT_TR_NOOP("Find"),
+                  .tip = QT_TR_NOOP("Search the text (Ctrl+F), or go to a line (Ctrl+G)"),
+                  .isTouch = true})),
       m_previous(
           say(makeTool(this, Qt::UpArrow), {.hint = QT_TR_NOOP("Previous line with this text")})),
       m_next(say(makeTool(this, Qt::DownArrow), {.hint = QT_TR_NOOP("Next line with this text")})),
-      m_previousPart(
-          say(makeTool(this, Qt::LeftArrow),
-              {.hint = QT_TR_NOOP(
-                   "Previous part, or blocks that the control executes (Ctrl+Page Up)")})),
-      m_nextPart(say(makeTool(this, Qt::RightArrow),
-                     {.hint = QT_TR_NOOP(
-                          "Next part, or blocks that the control executes (Ctrl+Page Down)")})),
+      m_previousPart(say(
+          makeTool(this, Qt::LeftArrow),
+          {.hint =
+               QT_TR_NOOP("Previous part, or blocks that the control executes (Ctrl+Page Up)")})),
+      m_nextPart(say(
+          makeTool(this, Qt::RightArrow),
+          {.hint = QT_TR_NOOP("Next part, or blocks that the control executes (Ctrl+Page Down)")})),
       m_follow(say(new QToolButton(this),
                    {.text = QT_TR_NOOP("Follow the run"),
                     .tip = QT_TR_NOOP("The text shows the line that is being executed"),
@@ -64,23 +69,33 @@ TextPane::TextPane(QWidget* parent)
   m_found->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00 000+")));
   m_below->addLayout(inRow({m_previousPart, m_nextPart, {m_follow, 1}}));
   m_below->addWidget(m_startHere, 1);
-  auto* layout = inColumn({inRow({{m_search, 1},
-                                  m_found,
-                                  m_previous,
-                                  m_next,
-                                  label({.text = QT_TR_NOOP("Line"), .isMuted = true}),
-                                  m_line}),
-                           {m_text, 1},
-                           m_below},
-                          this, QMargins(0, 4, 0, 0));
+  inRow({{m_search, 1},
+         m_found,
+         m_previous,
+         m_next,
+         label({.text = QT_TR_NOOP("Line"), .isMuted = true}),
+         m_line},
+        m_searchRow, QMargins(0, 0, 0, 0));
+  m_searchRow->hide();
+  m_find->setCheckable(true);
+  auto* layout = inColumn({m_searchRow, {m_text, 1}, m_below}, this, QMargins(0, 4, 0, 0));
   layout->setSpacing(4);
   m_startHere->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   m_startHere->setEnabled(false);
-  const std::array<QWidget*, 5> order{m_text, m_previousPart, m_nextPart, m_follow, m_startHere};
+  const std::array<QWidget*, 9> order{m_search,       m_previous, m_next,   m_line,     m_text,
+                                      m_previousPart, m_nextPart, m_follow, m_startHere};
   for (std::size_t i = 1; i < order.size(); ++i) {
     setTabOrder(order[i - 1], order[i]);
   }
 
+  connect(m_find, &QToolButton::toggled, this, [this](bool isShown) {
+    m_searchRow->setVisible(isShown);
+    if (isShown) {
+      showSearch(m_search);
+    } else {
+      m_search->clear();
+    }
+  });
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& wanted) {
     m_text->setHighlighted(wanted);
     m_wantsFirst = !wanted.isEmpty();
@@ -134,6 +149,12 @@ void TextPane::followRun() {
 
 void TextPane::showRunLine() {
   m_text->setRunLine(m_runLine, m_follow->isChecked());
+}
+
+void TextPane::showSearch(QLineEdit* field) {
+  m_find->setChecked(true);
+  field->setFocus(Qt::ShortcutFocusReason);
+  field->selectAll();
 }
 
 void TextPane::findNext(bool isForward) {

@@ -37,6 +37,10 @@ class TextPane final : public Page {
   [[nodiscard]] ProgramTextView* text() const { return m_text; }
   [[nodiscard]] QLineEdit* search() const { return m_search; }
   [[nodiscard]] QLineEdit* lineField() const { return m_line; }
+  /// Shows the row of search and line number, with the focus in one of its fields.
+  void showSearch(QLineEdit* field);
+  /// Shows and hides that row; has its place beside the tabs.
+  [[nodiscard]] QToolButton* find() const { return m_find; }
   /// To the part of a job before the present line, and beyond it.
   [[nodiscard]] QToolButton* previousPart() const { return m_previousPart; }
   [[nodiscard]] QToolButton* nextPart() const { return m_nextPart; }
@@ -60,6 +64,8 @@ class TextPane final : public Page {
   void showRunLine();
 
   TextSearch* m_finder;
+  QWidget* m_searchRow;
+  QToolButton* m_find;
   QLineEdit* m_search = lineEdit({.name = QT_TR_NOOP("Search the program text"),
                                   .placeholder = QT_TR_NOOP("Search (Ctrl+F)")});
   QToolButton* m_previous;

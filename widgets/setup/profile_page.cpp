@@ -69,7 +69,7 @@ struct ProfileTexts {
       case What::Silence:
         return tr("Without this computer the axes stand after 0.2 to 60 s; 0: not at all.");
       case What::Stop:
-        return tr("Without a proved feed cell a window takes at most 0.5 to 600 s.");
+        return tr("Without a passed stop test a window takes at most 0.5 to 600 s.");
       case What::ToolNumber:
         return tr("Tool %1: every tool needs its own number above zero.").arg(problem.tool);
     }
@@ -95,9 +95,9 @@ ProfilePage::ProfilePage(QWidget* parent)
            .name = QT_TR_NOOP("Without this computer the axes stand after, s")})),
       m_stop(say(makeField(this, 0.0),
                  {.tip = QT_TR_NOOP("Where a stop is sure to act only before the next window, "
-                                    "because this control has not passed the test of the feed "
-                                    "cell, no window of several moves takes longer."),
-                  .name = QT_TR_NOOP("Without a proved feed cell a window takes at most, s")})),
+                                    "because this control has not passed the stop test, no "
+                                    "window of several moves takes longer."),
+                  .name = QT_TR_NOOP("Without a passed stop test a window takes at most, s")})),
       m_toolGrid(new QGridLayout) {
   m_rapid->setDecimals(1);
   m_spindle->setDecimals(0);
@@ -126,7 +126,7 @@ ProfilePage::ProfilePage(QWidget* parent)
               label({.text = QT_TR_NOOP("Spindle up to, 1/min")}), m_spindle, spring()}),
        inRow({label({.text = QT_TR_NOOP("Without this computer the axes stand after, s")}),
               m_silence, spring()}),
-       inRow({label({.text = QT_TR_NOOP("Without a proved feed cell a window takes at most, s")}),
+       inRow({label({.text = QT_TR_NOOP("Without a passed stop test a window takes at most, s")}),
               m_stop, spring()}),
        inRow({label({.text = QT_TR_NOOP("M functions of other machines")}), {m_functions, 1}}),
        heading({.text = QT_TR_NOOP("Tools")}), m_toolGrid, inRow({m_addTool, spring()}), spring()},

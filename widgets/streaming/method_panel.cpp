@@ -358,8 +358,9 @@ void MethodPanel::showSettings() {
   m_fields.packed->setEnabled(m_editable && window);
   m_fields.delta->setEnabled(m_editable && usesDelta());
   m_form->setTip(m_fields.delta,
-                 usesDelta() ? tr("Distance from the tool at which a point counts as reached")
-                             : tr("This method does not use δ: it watches a cell, not the tool"));
+                 usesDelta()
+                     ? tr("Distance from the tool at which a point counts as reached")
+                     : tr("This method does not use δ: it watches an R-parameter, not the tool"));
   m_isShowing = wasShowing;
 }
 

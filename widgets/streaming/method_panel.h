@@ -144,16 +144,16 @@ class MethodPanel final : public Page {
   QGroupBox* m_settingsGroup = group({.text = QT_TR_NOOP("Method")});
   QComboBox* m_job =
       list({.items = {QT_TR_NOOP("Whole job"), QT_TR_NOOP("Motion only"), QT_TR_NOOP("Dry run")}});
-  QComboBox* m_method =
-      list({.tip = QT_TR_NOOP(
-                "Window: the machine waits if the client is late; it never executes a point twice. "
-                "Position: the client watches the tool and replaces points it has passed. Signal: "
-                "the client watches a cell in which the program says which half of the loop may be "
-                "replaced. Credit: like window, without a stop between windows; it starts only on "
-                "a control that has passed the test on the page Credit test."),
-            .items = {QT_TR_NOOP("Window"), QT_TR_NOOP("Position"), QT_TR_NOOP("Signal"),
-                      QT_TR_NOOP("Credit (experimental)")},
-            .id = "method"});
+  QComboBox* m_method = list(
+      {.tip = QT_TR_NOOP(
+           "Window: the machine waits if the client is late; it never executes a point twice. "
+           "Position: the client watches the tool and replaces points it has passed. Signal: "
+           "the client watches an R-parameter in which the program says which half of the loop may "
+           "be replaced. Credit: like window, without a stop between windows; it starts only on "
+           "a control that has passed the test on the page Credit test."),
+       .items = {QT_TR_NOOP("Window"), QT_TR_NOOP("Position"), QT_TR_NOOP("Signal"),
+                 QT_TR_NOOP("Credit (experimental)")},
+       .id = "method"});
   struct Fields {
     WholeNumberField* points = nullptr;
     NumberField* delta = nullptr;

@@ -5,6 +5,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <algorithm>
 
@@ -20,7 +21,10 @@ constexpr int kFold = -1;  ///< among the remedies, which are others' own
 constexpr int kPictureWidthPxMin = 300;
 constexpr int kPictureWidthPxMax = 640;
 constexpr int kTextsWidthPx = 760;    ///< narrower, they would be more lines than there is room for
-constexpr int kBesidePicturePx = 48;  // margins and gap
+constexpr int kBesidePicturePx = 56;  // margins and gap
+constexpr int kRowGapPx = 8;
+constexpr int kCardPx = 8;  ///< around what is on the card
+constexpr double kCardRadiusPx = 10.0;
 
 /// The path, quiet: the way to it is what is looked at.
 PathCanvas::Style quietStyle(const overview::ProgramView& program, const QPalette& palette) {
@@ -45,15 +49,19 @@ PreflightSheet::PreflightSheet(QWidget* parent)
   m_title->setFont(font);
   m_outcome->setEmphasis(12.0, true);
   m_rows->setHorizontalSpacing(16);
-  m_rows->setVerticalSpacing(8);
+  m_rows->setVerticalSpacing(kRowGapPx);
   m_rows->setColumnStretch(1, 1);
   m_picture->setView(PathCanvas::View::Space);
   m_picture->setFocusPolicy(Qt::NoFocus);
   m_picture->hide();
-  inColumn({inRow({{m_title, 1}, m_close}),
-            m_outcome,
-            {inRow({{inColumn({m_rows, spring()}), 1}, gap(8), m_picture}), 1}},
-           this, QMargins(16, 8, 16, 8));
+  inColumn(
+      {inRow({{m_title, 1}, m_close}),
+       m_outcome,
+       {inRow({{inColumn({m_rows, spring()}, nullptr, QMargins(kCardPx, kCardPx, kCardPx, kCardPx)),
+                1},
+               m_picture}),
+        1}},
+      this, QMargins(16, 8, 16, 8));
   retranslate();
   onTheme(&PreflightSheet::showItems);
   onTheme(&PreflightSheet::showPicture);
@@ -90,6 +98,28 @@ void PreflightSheet::placePicture() {
 void PreflightSheet::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
   placePicture();
+}
+
+/// One card, with a line between two rows.
+void PreflightSheet::paintEvent(QPaintEvent* /*event*/) {
+  const ThemeColors& colors = themeColors(palette());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(colors.line);
+  painter.setBrush(colors.surface);
+  const int top = m_rows->geometry().top() - kCardPx;
+  const int left = m_rows->geometry().left() - kCardPx;
+  painter.drawRoundedRect(
+      QRectF(left, top, width() - 2.0 * left, height() - top - 8.0).adjusted(0.5, 0.5, -0.5, -0.5),
+      kCardRadiusPx, kCardRadiusPx);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (int row = 1; row < m_rows->rowCount(); ++row) {
+    const QRect cell = m_rows->cellRect(row, 0);
+    if (cell.height() > 1) {
+      const int y = cell.top() - kRowGapPx / 2;
+      painter.drawLine(left + 1, y, m_rows->geometry().right() + kCardPx, y);
+    }
+  }
 }
 
 void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind) {
@@ -169,7 +199,7 @@ void PreflightSheet::addItem(const PreflightItem& item, int row) {
   if (!item.remedy.isEmpty()) {
     QPushButton* button = makeTouchButton(this);
     button->setText(item.remedy);
-    m_rows->addWidget(button, row, 2, Qt::AlignTop);
+    m_rows->addWidget(button, row, 2, Qt::AlignTop | Qt::AlignRight);
     connect(
         button, &QPushButton::clicked, this,
         [this, id = item.remedyId] {

@@ -71,6 +71,7 @@ class PreflightSheet final : public Page {
  protected:
   void retranslate() override;
   void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void showItems();

@@ -33,7 +33,7 @@ constexpr int kWidthPxMin = 480;
 constexpr int kFiguresHeightPx = 28;
 constexpr int kFigureGapPx = 16;
 constexpr int kPairGapPx = 6;
-constexpr int kProgressWidthPx = 90;
+constexpr int kProgressHeightPx = 4;
 constexpr int kTitleWidthPx = 160;  ///< with less, the program is not named
 constexpr int kProgressSteps = 1000;
 /// Below this width the state has a row of its own.
@@ -118,23 +118,23 @@ RunPanel::RunPanel(QWidget* parent)
                  .icon = "stop",
                  .id = "end-here"})),
       m_override(new OverrideControl(m_right)),
-      m_stop(say(
-          new StopButton(m_left),
-          {.text = QT_TR_NOOP("Stop"),
-           .tip = QT_TR_NOOP("The axes stand at once if the program has a feed cell, else at the "
-                             "end of its window. Escape does the same, from anywhere in the "
-                             "window. It does not replace the machine's emergency stop."),
-           .icon = "stop",
-           .id = "stop"})),
+      m_stop(say(new StopButton(m_left),
+                 {.text = QT_TR_NOOP("Stop"),
+                  .tip = QT_TR_NOOP(
+                      "The axes stand at once if the program obeys this computer's override, "
+                      "else at the end of its window. Escape does the same, from anywhere in the "
+                      "window. It does not replace the machine's emergency stop."),
+                  .icon = "stop",
+                  .id = "stop"})),
       m_figures(new QWidget(this)),
-      m_progress(new QProgressBar(m_figures)),
+      m_progress(new QProgressBar(this)),
       m_title(say(new ElidedLabel(1, m_figures), {.isMuted = true})) {
   m_stateLabel->setEmphasis(14.0, true);
   auto* state = inColumn({m_stateLabel, m_reason}, m_state, QMargins(0, 0, 0, 0));
   state->setSpacing(0);
   buildButtons();
   buildFigures();
-  m_rows->setContentsMargins(8, 4, 8, 4);
+  m_rows->setContentsMargins(8, 4 + kProgressHeightPx, 8, 4);
   m_rows->setHorizontalSpacing(16);
   m_rows->setVerticalSpacing(4);
   m_rows->setColumnStretch(1, 1);
@@ -186,16 +186,13 @@ void RunPanel::buildButtons() {
 
 void RunPanel::buildFigures() {
   constexpr std::array<const char*, FigureCount> kNames{
-      QT_TR_NOOP("Line"), QT_TR_NOOP("Time left"), QT_TR_NOOP("Margin"),  QT_TR_NOOP("Buffer"),
-      QT_TR_NOOP("Sent"), QT_TR_NOOP("Accepted"),  QT_TR_NOOP("Executed")};
+      QT_TR_NOOP("Line"), QT_TR_NOOP("Time left"), QT_TR_NOOP("Stream"), QT_TR_NOOP("Executed")};
   m_progress->setRange(0, kProgressSteps);
-  m_progress->setFixedSize(kProgressWidthPx, 22);
-  m_progress->setAlignment(Qt::AlignCenter);
+  m_progress->setTextVisible(false);  // the state says it
   auto* row = new QHBoxLayout(m_figures);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kFigureGapPx);
   row->setSizeConstraint(QLayout::SetNoConstraint);
-  row->addWidget(m_progress);
   for (std::size_t figure = 0; figure < FigureCount; ++figure) {
     m_shown[figure].area = new QWidget(m_figures);
     m_shown[figure].name = label({.text = kNames[figure], .isMuted = true});
@@ -247,6 +244,7 @@ void RunPanel::resizeEvent(QResizeEvent* event) {
     arrange();
   }
   fitFigures();
+  m_progress->setGeometry(0, 0, width(), kProgressHeightPx);
 }
 
 void RunPanel::requestStop() {
@@ -305,6 +303,7 @@ void RunPanel::setTotal(std::size_t points) {
 
 void RunPanel::setProgress(const RunProgress& progress) {
   m_where = progress;
+  showState();
   showReason();
   showFigures();
 }
@@ -447,15 +446,20 @@ QString RunPanel::waitingSentence() const {
 QString RunPanel::activeText() const {
   const QString name = runStateText(m_update.state);
   const QString state = m_job && m_job->isDry ? tr("%1, dry run").arg(name) : name;
-  if (!m_job || !isActive() || m_update.state == RunState::Armed) {
+  if (!isActive() || m_update.state == RunState::Armed) {
     return state;
+  }
+  const QString done = QStringLiteral(" \u00B7 %1 %").arg(numberText(100.0 * doneShare(), 0));
+  if (!m_job) {
+    return state + done;
   }
   const QString stretches = countText(m_job->stretches);
   if (!m_job->isNative) {
-    return tr("%1: part %2 of %3").arg(state, countText(m_job->stretch), stretches);
+    return tr("%1: part %2 of %3").arg(state, countText(m_job->stretch), stretches) + done;
   }
-  return m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
-                         : tr("%1: the control").arg(state);
+  return (m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
+                          : tr("%1: the control").arg(state)) +
+         done;
 }
 
 QString RunPanel::nativeText() const {
@@ -656,8 +660,7 @@ void RunPanel::showReason() {
 void RunPanel::showFigures() {
   showCounters();
   showPlace();
-  showMargin();
-  showBuffer();
+  showStream();
   fitFigures();
 }
 
@@ -666,42 +669,47 @@ void RunPanel::showFigure(Figure figure, const QString& value, const QString& hi
   m_shown[figure].area->setToolTip(hint);
 }
 
-void RunPanel::showCounters() {
+streaming::Counters RunPanel::shownCounters() const {
   streaming::Counters counters = m_update.counters;
   if (isWatching()) {
     counters.executed = m_found->executed;
     counters.total = m_found->total;
-  } else {
-    for (std::size_t* count :
-         {&counters.executed, &counters.sent, &counters.accepted, &counters.total}) {
-      *count -= std::min(*count, m_runBegin);
-    }
+    return counters;
   }
-  const QString total = countText(counters.total);
-  const auto place = [&total](std::size_t count) {
-    return tr("%1 of %2").arg(countText(count), total);
-  };
-  showFigure(Executed,
-             isWatching() && counters.total == 0
-                 ? tr("%Ln windows", nullptr, static_cast<int>(counters.executed))
-                 : place(counters.executed),
-             m_runBegin == 0 || isWatching()
-                 ? tr("Points that are known to be executed")
-                 : tr("Points that are known to be executed, from point %1 on")
-                       .arg(countText(m_runBegin + 1)));
-  const QString unknown = elsewhereText();
-  showFigure(Sent, isWatching() ? QString() : place(counters.sent),
-             isWatching() ? unknown : tr("Points that were sent to the control"));
-  showFigure(Accepted, isWatching() ? QString() : place(counters.accepted),
-             isWatching() ? unknown : tr("Points that the control has confirmed"));
+  for (std::size_t* count :
+       {&counters.executed, &counters.sent, &counters.accepted, &counters.total}) {
+    *count -= std::min(*count, m_runBegin);
+  }
+  return counters;
+}
+
+double RunPanel::doneShare() const {
+  const streaming::Counters counters = shownCounters();
   const std::size_t passed =
       isWatching()
           ? counters.executed
           : std::max(counters.executed, m_where.passed - std::min(m_where.passed, m_runBegin));
-  const double done =
-      counters.total == 0 ? 0.0 : static_cast<double>(passed) / static_cast<double>(counters.total);
-  m_progress->setValue(static_cast<int>(done * kProgressSteps));
-  m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
+  return counters.total == 0 ? 0.0
+                             : static_cast<double>(passed) / static_cast<double>(counters.total);
+}
+
+void RunPanel::showCounters() {
+  const streaming::Counters counters = shownCounters();
+  const QString total = countText(counters.total);
+  QString hint = m_runBegin == 0 || isWatching()
+                     ? tr("Points that are known to be executed")
+                     : tr("Points that are known to be executed, from point %1 on")
+                           .arg(countText(m_runBegin + 1));
+  if (!isWatching()) {
+    hint += QLatin1Char('\n') + tr("Sent to the control: %1, confirmed by it: %2")
+                                    .arg(countText(counters.sent), countText(counters.accepted));
+  }
+  showFigure(Executed,
+             isWatching() && counters.total == 0
+                 ? tr("%Ln windows", nullptr, static_cast<int>(counters.executed))
+                 : tr("%1 of %2").arg(countText(counters.executed), total),
+             hint);
+  m_progress->setValue(static_cast<int>(doneShare() * kProgressSteps));
 }
 
 QString RunPanel::elsewhereText() {
@@ -761,50 +769,42 @@ QString RunPanel::timeLeftText(const TimeLeft& left) {
   return left.pausesS > 0.0 ? tr("%1, pauses %2").arg(total, durationText(left.pausesS)) : total;
 }
 
-void RunPanel::showMargin() {
-  const QString meaning =
-      tr("Time until the control needs the next point, minus the 99th percentile of the access "
-         "time");
-  if (!m_update.margin || !isActive() || m_update.state == RunState::Holding) {
-    showFigure(Margin, {},
-               isWatching()
-                   ? elsewhereText()
-                   : meaning + QStringLiteral(". ") + tr("Known while points have to be sent."));
+void RunPanel::showStream() {
+  const streaming::Counters& counters = m_update.counters;
+  if (!isActive() || counters.accepted < counters.executed) {
+    showFigure(Stream, {},
+               isWatching() ? elsewhereText() : tr("No run of this window is in progress."));
     return;
   }
-  const bool late = m_update.margin->count() < 0;
-  showFigure(Margin,
-             millisecondsText(*m_update.margin) +
-                 (late ? QStringLiteral(" ") + tr("(too late)") : QString()),
-             meaning);
-  m_shown[Margin].value->setStatus(late ? Status::Attention : Status::Good,
-                                   m_shown[Margin].value->text());
-}
-
-void RunPanel::showBuffer() {
-  const streaming::Counters& counters = m_update.counters;
-  const bool isKnown = isActive() && counters.accepted >= counters.executed;
-  showFigure(Buffer,
-             isKnown
-                 ? tr("%Ln pts", nullptr, static_cast<int>(counters.accepted - counters.executed))
-                 : QString(),
-             isKnown ? tr("Points that the control has and that are not known to be executed")
-             : isWatching() ? elsewhereText()
-                            : tr("No run of this window is in progress."));
+  QString moves =
+      tr("%Ln moves in hand", nullptr, static_cast<int>(counters.accepted - counters.executed));
+  QString hint = tr("Moves in hand: what the control has and has not executed yet.");
+  const bool isKnown = m_update.margin && m_update.state != RunState::Holding;
+  const bool isLate = isKnown && m_update.margin->count() < 0;
+  if (isKnown) {
+    moves = (isLate ? tr("late, %1") : tr("on time, %1")).arg(moves);
+    hint += QLatin1Char('\n') +
+            tr("Margin %1: time until the control needs the next point, minus the 99th percentile "
+               "of the access time")
+                .arg(millisecondsText(*m_update.margin));
+  }
+  showFigure(Stream, moves, hint);
+  m_shown[Stream].value->setStatus(!isKnown ? Status::Plain
+                                   : isLate ? Status::Attention
+                                            : Status::Good,
+                                   moves);
 }
 
 void RunPanel::fitFigures() {
-  int room = width() - kProgressWidthPx - 2 * 8;
-  for (const Figure figure : {Line, Left, Margin, Buffer, Executed, Sent, Accepted}) {
+  int room = width() - 2 * 8;
+  for (const Figure figure : {Line, Left, Stream, Executed}) {
     QWidget* area = m_shown[figure].area;
     // Not what the layout remembers: the font may have changed since.
     const int widthPx = m_shown[figure].name->sizeHint().width() + kPairGapPx +
                         m_shown[figure].value->layout()->totalSizeHint().width();
     area->setFixedWidth(widthPx);
     const int needed = widthPx + kFigureGapPx;
-    // Which program it is matters more than the counters.
-    const int kept = figure >= Sent ? kTitleWidthPx : 0;
-    area->setVisible(needed + kept <= room);
+    area->setVisible(needed <= room);
     room -= area->isVisibleTo(this) ? needed : 0;
   }
   m_title->setVisible(room >= kTitleWidthPx);
@@ -823,9 +823,7 @@ void RunPanel::changeEvent(QEvent* event) {
 }
 
 void RunPanel::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setPen(themeColors(palette()).line);
-  painter.drawLine(0, 0, width(), 0);
+  QPainter(this).fillRect(rect(), themeColors(palette()).surface);
 }
 
 }  // namespace rivulet::widgets

@@ -112,8 +112,7 @@ class RunPanel final : public Page {
 
  private:
   enum class StopState { None, Requested, Confirmed, Unconfirmed };
-  /// From Sent on, they are counters.
-  enum Figure { Line, Left, Margin, Buffer, Sent, Accepted, Executed, FigureCount };
+  enum Figure { Line, Left, Stream, Executed, FigureCount };
 
   [[nodiscard]] std::array<QPushButton*, 6> buttons() const;
   void buildButtons();
@@ -129,8 +128,12 @@ class RunPanel final : public Page {
   void showFigures();
   void showCounters();
   void showPlace();
-  void showMargin();
-  void showBuffer();
+  /// Whether the points come in time, and how many moves the control has.
+  void showStream();
+  /// How much of the run is done, 0 to 1.
+  [[nodiscard]] double doneShare() const;
+  /// What has been executed, sent and accepted, of the points of this run.
+  [[nodiscard]] streaming::Counters shownCounters() const;
   /// @param value  empty: not known  @param hint  what it is, or why it is not known
   void showFigure(Figure figure, const QString& value, const QString& hint);
   /// Hides the less important figures until the others fit.

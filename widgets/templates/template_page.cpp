@@ -27,7 +27,7 @@ TemplatePage::TemplatePage(QWidget* parent)
       m_text(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Flexible program")})),
       m_highlighter(new NcHighlighter(m_text->document())),
       m_cells(new CellModel(this)),
-      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Cells")})) {
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("R-parameters")})) {
   m_text->setReadOnly(true);
   m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -88,7 +88,7 @@ QString TemplatePage::text() const {
 }
 
 paper::Page TemplatePage::sheet(const QString& appVersion) const {
-  paper::Table table{tr("Cells"), {}, {5.0, 6.0, 2.0}, {}};
+  paper::Table table{tr("R-parameters"), {}, {5.0, 6.0, 2.0}, {}};
   const auto row = [this](const auto& textOf) {
     QStringList texts;
     for (int column = 0; column < m_cells->columnCount(); ++column) {

@@ -61,7 +61,7 @@ class TemplatePage final : public Page {
               .id = "template-sheet"});
   QPlainTextEdit* m_text;
   NcHighlighter* m_highlighter;
-  QGroupBox* m_cellsGroup = group({.text = QT_TR_NOOP("Cells")});
+  QGroupBox* m_cellsGroup = group({.text = QT_TR_NOOP("R-parameters")});
   CellModel* m_cells;
   QTableView* m_table;
 };

@@ -52,6 +52,16 @@ void Language::english() {
   QCoreApplication::processEvents();
 }
 
+QString hintOf(const QWidget& widget, const QString& value) {
+  const auto labels = widget.findChildren<QLabel*>();
+  for (const QLabel* label : labels) {
+    if (label->text() == value) {
+      return label->parentWidget()->parentWidget()->toolTip();
+    }
+  }
+  return {};
+}
+
 QString visibleText(const QWidget& widget) {
   QStringList texts;
   for (const QWidget* child : widget.findChildren<QWidget*>()) {

@@ -29,6 +29,8 @@ class Language {
 
 /// Every visible text of a widget and its children, joined; for checks of what is shown.
 [[nodiscard]] QString visibleText(const QWidget& widget);
+/// Tool tip of the figure that shows this value; empty: none shows it.
+[[nodiscard]] QString hintOf(const QWidget& widget, const QString& value);
 
 /// Handles events until nothing that the widget or its children have put off is left.
 /// @return false if that does not happen

@@ -31,7 +31,7 @@ QPushButton* buttonOf(const CalibrationPage& page, const char* text) {
   return nullptr;
 }
 
-/// The box that confirms the cells.
+/// The box that confirms the R-parameters.
 QCheckBox* confirmOf(const CalibrationPage& page) {
   for (QCheckBox* box : page.findChildren<QCheckBox*>()) {
     if (box->text().contains(QLatin1String("may be written"))) {
@@ -52,7 +52,7 @@ class TestCalibrationPage : public QObject {
     applyTheme(Theme::Light);
   }
 
-  /// Nothing is written before the cells are confirmed; other cells are not; nor is the next time.
+  /// Nothing is written before the R-parameters are confirmed; others are not; nor is the next time.
   void asksForTheCells() {
     test::Language language;
     CalibrationPage page;
@@ -61,7 +61,7 @@ class TestCalibrationPage : public QObject {
     QCheckBox* confirm = confirmOf(page);
     QVERIFY(start != nullptr && confirm != nullptr);
     QVERIFY(!start->isEnabled());
-    QVERIFY(test::visibleText(page).contains("Confirm the cells"));
+    QVERIFY(test::visibleText(page).contains("Confirm the R-parameters"));
     QVERIFY(confirm->text().contains("R50 to R99"));
     confirm->click();
     QVERIFY(start->isEnabled());
@@ -195,17 +195,17 @@ class TestCalibrationPage : public QObject {
     const auto textOf = [&source](double ms) {
       return accessSourceText(source, base::fromMilliseconds(ms));
     };
-    QVERIFY(textOf(4.3).text.contains("assumed as in [P1]"));
+    QVERIFY(textOf(4.3).text.contains("is assumed"));
     QVERIFY(textOf(4.3).text.contains("4.30"));
     source.record = test::calibrationRecord();
     source.form = opcua::Grouping::ArrayCount;
     source.cellsMax = 24;
     QVERIFY(textOf(0.35).text.contains("calibrated on"));
     QVERIFY(textOf(0.35).text.contains("array, by count"));
-    QVERIFY(textOf(0.35).text.contains("writes of 24 cells"));
-    QVERIFY(!textOf(0.35).text.contains("cells were measured"));
+    QVERIFY(textOf(0.35).text.contains("writes of 24 R-parameters"));
+    QVERIFY(!textOf(0.35).text.contains("R-parameters were measured"));
     source.cellsMax = 63;
-    QVERIFY(textOf(0.35).text.contains("Up to 50 cells were measured"));
+    QVERIFY(textOf(0.35).text.contains("Up to 50 R-parameters were measured"));
     source.isOutdated = true;
     QVERIFY(textOf(4.3).status == Status::Attention);
     QVERIFY(textOf(4.3).text.contains("not used"));

@@ -350,36 +350,29 @@ class TestRunPanel : public QObject {
     update.waitingFor = "cycle-start";
     panel.setUpdate(update);
     QString text = test::visibleText(panel);
-    QVERIFY(text.contains("412 of 1,353"));
-    QVERIFY(text.contains("409 of 1,353"));
     QVERIFY(text.contains("405 of 1,353"));
+    QVERIFY(test::hintOf(panel, "405 of 1,353")
+                .contains("Sent to the control: 412, confirmed by it: 409"));
+    QVERIFY(text.contains("4 moves in hand"));
     QVERIFY(text.contains("cycle start at the control"));
     update.waitingFor = "something-new";
     update.margin = std::chrono::milliseconds{-3};
     panel.setUpdate(update);
     text = test::visibleText(panel);
     QVERIFY(text.contains("something-new"));
-    QVERIFY(text.contains("(too late)"));
+    QVERIFY(text.contains("late, 4 moves in hand"));
     language.german();
     text = test::visibleText(panel);
-    QVERIFY(text.contains("412 von 1.353"));
-    QVERIFY(text.contains("(zu spät)"));
+    QVERIFY(text.contains("405 von 1.353"));
+    QVERIFY(text.contains("zu spät, 4 Sätze"));
   }
 
-  /// Line, time left and buffer; what is not known is a dash with a reason.
+  /// Line, time left and moves in hand; what is not known is a dash with a reason.
   void progressIsShown() {
     test::Language language;
     RunPanel panel;
     panel.resize(1400, 130);
-    const auto hint = [&panel](const QString& shown) {
-      const auto labels = panel.findChildren<QLabel*>();
-      for (const QLabel* label : labels) {
-        if (label->text() == shown) {
-          return label->parentWidget()->parentWidget()->toolTip();
-        }
-      }
-      return QString();
-    };
+    const auto hint = [&panel](const QString& shown) { return test::hintOf(panel, shown); };
     QVERIFY(hint(noValue()).contains("No program is loaded"));
     panel.setProgram(1353);
     panel.setProgress({0, 1500, TimeLeft{754.0, 130.0}});
@@ -390,7 +383,8 @@ class TestRunPanel : public QObject {
     panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
     QVERIFY(hint("406 of 1,500").contains("move that the tool is on"));
     QVERIFY(!hint(QString("1:30") + QChar(0x00A0) + "min").isEmpty());
-    QVERIFY(hint("4 pts").contains("not known to be executed"));
+    const QString stream = hint("on time, 4 moves in hand");
+    QVERIFY(stream.contains("has not executed yet") && stream.contains("99th percentile"));
     panel.setProgress({406, 1500, std::nullopt});
     QVERIFY(hint(noValue()).contains("not estimated yet"));
     panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
