@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QPointer>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTcpSocket>
@@ -34,6 +35,7 @@
 #include "widgets/program/path_canvas.h"
 #include "widgets/program/program_page.h"
 #include "widgets/setup/set_up_page.h"
+#include "widgets/streaming/run_panel.h"
 #include "widgets/trace/trace_page.h"
 
 using namespace rivulet;
@@ -272,13 +274,25 @@ class TestLook : public QObject {
     verifyNoFaults();
   }
 
-  /// After a run that was stopped, with the question how to go on, every page has something to
-  /// show.
+  /// During a run and a pause. After a run that was stopped, with the question how to go on, every
+  /// page has something to show.
   void afterStop() {
     open();
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     QVERIFY(m_window->start());
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("running"));
+    }
+    QCOMPARE(m_window->lastUpdate().state, streaming::RunState::Running);
+    m_window->findChild<widgets::RunPanel*>()->findChild<QPushButton*>("hold")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->lastUpdate().state, streaming::RunState::Holding, kRunMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().feed->stoodAfter.has_value(), kRunMs);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("paused"));
+    }
     m_window->stop();
     QVERIFY(finished.wait(kRunMs));
     m_machine->setPace(tests::SimulatedControl::kUnlimited);

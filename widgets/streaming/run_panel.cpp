@@ -446,20 +446,15 @@ QString RunPanel::waitingSentence() const {
 QString RunPanel::activeText() const {
   const QString name = runStateText(m_update.state);
   const QString state = m_job && m_job->isDry ? tr("%1, dry run").arg(name) : name;
-  if (!isActive() || m_update.state == RunState::Armed) {
+  if (!m_job || !isActive() || m_update.state == RunState::Armed) {
     return state;
-  }
-  const QString done = QStringLiteral(" \u00B7 %1 %").arg(numberText(100.0 * doneShare(), 0));
-  if (!m_job) {
-    return state + done;
   }
   const QString stretches = countText(m_job->stretches);
   if (!m_job->isNative) {
-    return tr("%1: part %2 of %3").arg(state, countText(m_job->stretch), stretches) + done;
+    return tr("%1: part %2 of %3").arg(state, countText(m_job->stretch), stretches);
   }
-  return (m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
-                          : tr("%1: the control").arg(state)) +
-         done;
+  return m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
+                         : tr("%1: the control").arg(state);
 }
 
 QString RunPanel::nativeText() const {
@@ -619,7 +614,13 @@ void RunPanel::showState() {
     default:
       show(Status::Busy, activeText());
   }
+  // Read aloud when it changes: without the figure, which always does.
   m_state->setAccessibleName(m_stateLabel->text());
+  if (isActive() && m_update.state != RunState::Armed) {
+    m_stateLabel->setStatus(m_stateLabel->status(),
+                            QStringLiteral("%1 \u00B7 %2 %")
+                                .arg(m_stateLabel->text(), numberText(100.0 * doneShare(), 0)));
+  }
 }
 
 void RunPanel::showReason() {
