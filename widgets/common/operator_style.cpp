@@ -355,7 +355,12 @@ void OperatorStyle::drawComplexControl(ComplexControl control, const QStyleOptio
     drawScrollHandle(*painter, part(SC_ScrollBarSlider), *slider);
     return;
   }
-  if (control == CC_Slider && slider != nullptr && slider->tickPosition == QSlider::NoTicks) {
+  if (control == CC_Slider && slider != nullptr) {
+    if (slider->tickPosition != QSlider::NoTicks) {
+      QStyleOptionSlider ticks(*slider);
+      ticks.subControls = SC_SliderTickmarks;
+      QProxyStyle::drawComplexControl(control, &ticks, painter, widget);
+    }
     drawSlider(*painter, part(SC_SliderGroove), part(SC_SliderHandle), *slider);
     return;
   }

@@ -114,9 +114,8 @@ void PreflightSheet::paintEvent(QPaintEvent* /*event*/) {
       kCardRadiusPx, kCardRadiusPx);
   painter.setRenderHint(QPainter::Antialiasing, false);
   for (int row = 1; row < m_rows->rowCount(); ++row) {
-    const QRect cell = m_rows->cellRect(row, 0);
-    if (cell.height() > 1) {
-      const int y = cell.top() - kRowGapPx / 2;
+    if (const QLayoutItem* name = m_rows->itemAtPosition(row, 0)) {
+      const int y = name->geometry().top() - kRowGapPx / 2;
       painter.drawLine(left + 1, y, m_rows->geometry().right() + kCardPx, y);
     }
   }
