@@ -48,13 +48,18 @@ struct LoadingOptions {
 
 /// Fewer or more points on the same path.
 struct ResamplingOptions {
-  double thinMm = 0.0;   ///< 0: not
-  double splitMm = 0.0;  ///< 0: not
+  double toleranceMm = 0.0;  ///< 0: all points
+  double splitMm = 0.0;      ///< 0: not
 
   /// Prints on standard error what was left out.
-  /// @return error BudgetError::Exceeded
-  [[nodiscard]] base::Result<gcode::Trajectory> resampled(gcode::Trajectory trajectory) const;
+  /// @param onSteps  the points that stay are going to be packed
+  /// @return error BudgetError::Exceeded, GcodeError::BadTolerance
+  [[nodiscard]] base::Result<void> resample(gcode::Program& program, bool onSteps = false) const;
+  [[nodiscard]] base::Result<void> split(gcode::Program& program) const;
 };
+
+/// How many points are left of those of the program, if a tolerance was given.
+void tellMerged(const gcode::Program& program);
 
 struct CheckOptions {
   std::vector<std::string> files;  ///< or folders

@@ -198,11 +198,10 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
   if (!program) {
     return base::fail(program.error());
   }
-  auto resampled = options.resampling.resampled(std::move(program->trajectory));
-  if (!resampled) {
-    return base::fail(resampled.error());
+  const bool isPacked = templates::packingOf(question.settings.parameters).has_value();
+  if (auto resampled = options.resampling.resample(*program, isPacked); !resampled) {
+    return resampled;
   }
-  program->trajectory = *std::move(resampled);
   const auto machine = machine::loadPreset(options.preset);
   if (!machine) {
     return base::fail(machine.error());
@@ -227,6 +226,9 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
   question.points = list.points;
   question.json["program"] = program->name;
   question.json["points"] = list.points.size();
+  if (program->merged) {
+    question.json["merged"] = report::mergedJson(*program->merged);
+  }
   question.json["distances"] = report::distancesJson(question.distances);
   if (point.pointsPerLoop >= 1) {
     const PausePrice price(program->trajectory, *machine, question.settings);

@@ -109,6 +109,10 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
   if (parameters.packed) {
     command.emplace_back("--packed");
   }
+  if (run.reading.moveRules.tolerance > 0.0) {
+    command.insert(command.end(),
+                   {"--tolerance", fmt::format("{:g}", run.reading.moveRules.tolerance)});
+  }
   if (parameters.correctionLimitMm > 0.0) {
     command.insert(command.end(),
                    {"--correction-limit", fmt::format("{:g}", parameters.correctionLimitMm)});

@@ -129,6 +129,12 @@ void addAxes(CLI::App* command, OperatingOptions& point) {
       ->check(kAxes);
 }
 
+void addPacked(CLI::App* command, OperatingOptions& point) {
+  command->add_flag("--packed", point.packed,
+                    "Points that follow the first of their window have one R-parameter for all "
+                    "axes, in steps of 0.001 mm: fewer accesses (methods window and credit)");
+}
+
 void addLayout(CLI::App* command, OperatingOptions& point) {
   command
       ->add_option("--layout", point.layout,
@@ -136,9 +142,7 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
   addAxes(command, point);
-  command->add_flag("--packed", point.packed,
-                    "Points that follow the first of their window have one R-parameter for all "
-                    "axes, in steps of 0.001 mm: fewer accesses (methods window and credit)");
+  addPacked(command, point);
   command
       ->add_option("--correction-limit", point.correctionLimitMm,
                    "Largest online correction of each linear axis, mm (methods window and credit)")
@@ -223,8 +227,8 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
 
 void addResampling(CLI::App* command, rivulet::cli::ResamplingOptions& resampling) {
   command
-      ->add_option("--thin", resampling.thinMm,
-                   "Leave out points within this distance of the path, mm")
+      ->add_option("--tolerance,--thin", resampling.toleranceMm,
+                   "Leave out points where the path stays within this, mm and degrees")
       ->check(kPositive);
   command->add_option("--split", resampling.splitMm, "Longest move; longer ones are divided, mm")
       ->check(kPositive);
@@ -264,6 +268,7 @@ void addFeasibilityCommand(CLI::App& app, Exit& exit) {
   addPoint(command, options->point);
   addDelta(command, options->point);
   addAxes(command, options->point);
+  addPacked(command, options->point);
   addFeed(command, options->point);
   addLoading(command, options->loading);
   addResampling(command, options->resampling);
@@ -358,17 +363,10 @@ void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
 }
 
 /// Options of `stream` that a whole job does not have.
-constexpr std::array kForMotionAlone{"--thin",
-                                     "--split",
-                                     "--delta",
-                                     "--passed-by",
-                                     "--resume",
-                                     "--access",
-                                     "--transfer",
-                                     "--correct",
-                                     "--even-pauses",
-                                     "--accept-changes",
-                                     "--accept-infeasible"};
+constexpr std::array kForMotionAlone{
+    "--tolerance",        "--split",    "--delta",   "--passed-by",   "--resume",
+    "--access",           "--transfer", "--correct", "--even-pauses", "--accept-changes",
+    "--accept-infeasible"};
 
 /// What the operator wants of the run, and who is told how far it is.
 void addOrders(CLI::App* command, rivulet::cli::OrderOptions& options) {
@@ -466,6 +464,9 @@ Exit runStream(rivulet::cli::StreamOptions& options, const CLI::App& command) {
   if (isLive != options.file.empty()) {
     throw CLI::RequiredError("FILE or --live, one of them");
   }
+  if (isLive && options.resampling.toleranceMm > 0.0) {
+    throw CLI::ExcludesError("--live", "--tolerance");
+  }
   options.namesMachine = command.get_option("--preset")->count() > 0;
   for (const char* const name : kForMotionAlone) {
     if (command.get_option(name)->count() > 0) {
@@ -486,6 +487,7 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   addLive(command, options->live);
   addLoading(command, options->loading);
   addResampling(command, options->resampling);
+  command->get_option("--tolerance")->excludes(command->get_option("--split"));
   addPoint(command, options->point);
   addDelta(command, options->point);
   addFeed(command, options->point);

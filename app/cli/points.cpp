@@ -67,22 +67,35 @@ void print(const gcode::Trajectory& trajectory, std::FILE* out) {
 
 }  // namespace
 
-base::Result<gcode::Trajectory> ResamplingOptions::resampled(gcode::Trajectory trajectory) const {
-  if (thinMm > 0.0) {
-    gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, thinMm);
-    log::logger().warn("{} points left out; the path moves by at most {:.6f} mm.", thinned.leftOut,
-                       thinned.errorMmMax);
-    trajectory = std::move(thinned.trajectory);
-  }
+base::Result<void> ResamplingOptions::split(gcode::Program& program) const {
   if (splitMm <= 0.0) {
-    return trajectory;
+    return {};
   }
-  const std::uint64_t held = trajectory.points.capacity() * sizeof(gcode::TrajectoryPoint);
-  auto split = gcode::split(trajectory, splitMm, memoryBudget().without(held));
-  if (!split) {
-    split.error().message += " Or give a longer move with --split.";
+  const std::uint64_t held = program.trajectory.points.capacity() * sizeof(gcode::TrajectoryPoint);
+  auto parts = gcode::split(program.trajectory, splitMm, memoryBudget().without(held));
+  if (!parts) {
+    parts.error().message += " Or give a longer move with --split.";
+    return base::fail(parts.error());
   }
-  return split;
+  program.trajectory = *std::move(parts);
+  return {};
+}
+
+base::Result<void> ResamplingOptions::resample(gcode::Program& program, bool onSteps) const {
+  gcode::MoveRules rules;
+  rules.tolerance = toleranceMm;
+  rules.onSteps = onSteps;
+  if (const auto merged = gcode::applyRules(program, rules); !merged) {
+    return base::fail(merged.error());
+  }
+  tellMerged(program);
+  return split(program);
+}
+
+void tellMerged(const gcode::Program& program) {
+  if (program.merged) {
+    log::logger().warn(gcode::describe(*program.merged));
+  }
 }
 
 Exit points(const PointsOptions& options) {
@@ -92,11 +105,10 @@ Exit points(const PointsOptions& options) {
   if (!program) {
     return reportError(program.error(), false);
   }
-  const auto resampled = options.resampling.resampled(std::move(program->trajectory));
-  if (!resampled) {
+  if (const auto resampled = options.resampling.resample(*program); !resampled) {
     return reportError(resampled.error(), false);
   }
-  const gcode::Trajectory& trajectory = *resampled;
+  const gcode::Trajectory& trajectory = program->trajectory;
   if (options.output.empty()) {
     print(trajectory, stdout);
   } else {

@@ -87,6 +87,7 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   settings.transfer =
       options.transfer == "by-hand" ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   settings.placePauses = !options.evenPauses;
+  settings.tolerance = options.resampling.toleranceMm;
   settings.factor = options.live.factor.agreed();
   return settings;
 }
@@ -341,7 +342,7 @@ class StreamCommand {
   base::Result<void> openSource();
   base::Result<void> connect();
   base::Result<void> readResumed();
-  base::Result<void> divideMoves();
+  base::Result<void> applyRules();
   base::Result<void> lookForRun();
   base::Result<void> findWayBack();
   base::Result<void> judge();
@@ -363,7 +364,7 @@ class StreamCommand {
   streaming::FeedProof m_proof = streaming::FeedProof::NotTested;
   std::optional<report::SavedRun> m_resumed;  ///< the run that goes on
   std::optional<report::SavedRun> m_driven;   ///< the run that is driven back
-  gcode::MoveLimit m_moveLimit;               ///< by which long moves have been divided
+  gcode::MoveRules m_moveRules;               ///< by which they have been merged and divided
   nlohmann::ordered_json m_stop;
   report::RunStore m_runs;
 };
@@ -410,11 +411,9 @@ base::Result<void> StreamCommand::load() {
     error.context = m_program.name;
     return base::fail(error);
   }
-  auto resampled = m_options.resampling.resampled(std::move(m_program.trajectory));
-  if (!resampled) {
-    return base::fail(resampled.error());
+  if (auto split = m_options.resampling.split(m_program); !split) {
+    return split;
   }
-  m_program.trajectory = *std::move(resampled);
   if (auto fits = requireRunMemory(m_program.trajectory.points.size()); !fits) {
     return fits;
   }
@@ -528,7 +527,7 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(proof.error());
   }
   m_proof = *proof;
-  for (const auto step : {&StreamCommand::readResumed, &StreamCommand::divideMoves}) {
+  for (const auto step : {&StreamCommand::readResumed, &StreamCommand::applyRules}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -554,15 +553,29 @@ base::Result<void> StreamCommand::readResumed() {
   return {};
 }
 
-/// Where a stop acts before the next window, no move takes longer than a window may.
-base::Result<void> StreamCommand::divideMoves() {
-  m_moveLimit = m_resumed ? m_resumed->reading.moveLimit : streaming::moveLimit(m_settings);
-  if (base::Result<void> divided =
-          gcode::divideLongMoves(m_program.trajectory, m_moveLimit, memoryBudget());
-      !divided) {
-    divided.error().message += " Or give a longer time with --stop-limit.";
-    return divided;
+/// Moves within the tolerance become one; where a stop acts before the next window, none takes
+/// longer than a window may.
+base::Result<void> StreamCommand::applyRules() {
+  m_moveRules = streaming::moveRules(m_settings);
+  if (m_resumed) {
+    const gcode::MoveRules& earlier = m_resumed->reading.moveRules;
+    if (m_settings.tolerance > 0.0 && m_settings.tolerance != earlier.tolerance) {
+      return base::fail(
+          streaming::StreamError::ProgramChanged,
+          fmt::format("The interrupted run has the tolerance {}. Leave out --tolerance.",
+                      earlier.tolerance));
+    }
+    m_settings.tolerance = earlier.tolerance;
+    m_moveRules = earlier;
   }
+  if (auto applied = gcode::applyRules(m_program, m_moveRules, memoryBudget()); !applied) {
+    base::Error error = applied.error();
+    if (error.code == base::BudgetError::Exceeded) {
+      error.message += " Or give a longer time with --stop-limit.";
+    }
+    return base::fail(error);
+  }
+  tellMerged(m_program);
   return requireRunMemory(m_program.trajectory.points.size());
 }
 
@@ -656,7 +669,7 @@ base::Result<void> StreamCommand::findWayBack() {
   const base::Vec3 to = way->places.back().mm;
   log::logger().info("Back along the path by {:.3f} mm, to X {:.3f} Y {:.3f} Z {:.3f}.",
                      way->lengthMm, to.x, to.y, to.z);
-  return divideMoves();
+  return applyRules();
 }
 
 base::Result<void> StreamCommand::findResume() {
@@ -766,7 +779,7 @@ void StreamCommand::tellStop(const streaming::Preflight& flight) {
 
 Exit StreamCommand::run() {
   run::RunFacts facts = factsOf(m_options, m_program, m_connection.name);
-  facts.reading.moveLimit = m_moveLimit;
+  facts.reading.moveRules = m_moveRules;
   facts.drivenBack = m_driven;
   run::RunRecord record(std::move(facts));
   if (const base::Result<void> opened = record.open(); !opened) {

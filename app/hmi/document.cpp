@@ -109,7 +109,7 @@ void Document::open(const QString& path, const session::Reading& reading) {
 }
 
 void Document::openMotion(const QString& path, const session::Reading& reading,
-                          const gcode::MoveLimit& limit) {
+                          const gcode::MoveRules& limit) {
   m_isMotionAlone = true;
   m_moves.ofRun = limit;
   m_settings.dryRunMm = 0.0;
@@ -226,7 +226,7 @@ session::ProgramSource Document::source() const {
   session::ProgramSource source;
   source.file = m_path.toStdString();
   source.reading.setReading(m_reading);
-  source.reading.moveLimit = m_moves.limit;
+  source.reading.moveRules = m_moves.limit;
   return source;
 }
 
@@ -244,7 +244,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
   whole.machine = m_loadMachine;
   Q_EMIT readingProgressed(0.0);
   m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
-                 m_machineFeeds, wantedMoveLimit()});
+                 m_machineFeeds, wantedMoveRules()});
 }
 
 void Document::take(const session::LoadedProgram& loaded) {
@@ -255,7 +255,7 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_live.reset();
   m_view = loaded.view;
   m_moves.whole = loaded.whole;
-  m_moves.limit = loaded.request.moveLimit;
+  m_moves.limit = loaded.request.moveRules;
   m_path = QFileInfo(loaded.request.path).absoluteFilePath();
   m_reading = loaded.request.reading;
   m_dryRunError = loaded.dryRunError;
@@ -269,11 +269,11 @@ void Document::take(const session::LoadedProgram& loaded) {
 void Document::takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
                           const session::PlaceRequest& request) {
   // A run has begun meanwhile: its points begin where the tool is, but are divided as they were.
-  if (request.view != m_view || (m_motion.isRunning && !(request.moveLimit == m_moves.limit))) {
+  if (request.view != m_view || (m_motion.isRunning && !(request.moveRules == m_moves.limit))) {
     return;
   }
   m_view = view;
-  m_moves.limit = request.moveLimit;
+  m_moves.limit = request.moveRules;
   m_estimate.pauses.reset();
   m_estimate.timesFor.reset();
   Q_EMIT programPlaced();
@@ -475,12 +475,12 @@ void Document::setToolPosition(const base::Vec3& positionMm) {
   placePoints();
 }
 
-gcode::MoveLimit Document::wantedMoveLimit() const {
+gcode::MoveRules Document::wantedMoveRules() const {
   if (m_moves.ofRun) {
     return *m_moves.ofRun;
   }
-  const gcode::MoveLimit limit = streaming::moveLimit(runSettings());
-  return limit.secondsMax > 0.0 ? limit : gcode::MoveLimit{};
+  const gcode::MoveRules limit = streaming::moveRules(runSettings());
+  return limit.secondsMax > 0.0 ? limit : gcode::MoveRules{};
 }
 
 void Document::placePoints() {
@@ -489,7 +489,7 @@ void Document::placePoints() {
   }
   const bool hasMoved = m_view->dependsOnStart && base::isFinite(m_toolMm) &&
                         base::distance(m_view->startMm, m_toolMm) > kToolMovedMm;
-  const gcode::MoveLimit limit = isJob() ? gcode::MoveLimit{} : wantedMoveLimit();
+  const gcode::MoveRules limit = isJob() ? gcode::MoveRules{} : wantedMoveRules();
   if (hasMoved || !(limit == m_moves.limit)) {
     m_loader.place({m_view, m_moves.whole, limit, hasMoved ? m_toolMm : m_view->startMm,
                     std::max(2, m_settings.parameters.pointsPerLoop)});

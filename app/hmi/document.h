@@ -64,7 +64,7 @@ class Document final : public QObject {
   /// The same for the motion alone, whatever the settings say: the program of an earlier run.
   /// @param limit  by which its long moves are divided
   void openMotion(const QString& path, const session::Reading& reading,
-                  const gcode::MoveLimit& limit);
+                  const gcode::MoveRules& limit);
   /// Points that arrive during the run take the place of a program. @param name  of their source,
   /// which is open
   void openLive(const live::Setup& setup, const std::string& name);
@@ -111,7 +111,7 @@ class Document final : public QObject {
   [[nodiscard]] const QString& requestedPath() const { return m_requestedPath; }
   [[nodiscard]] const session::Reading& reading() const { return m_reading; }
   /// By which long moves of the program have been divided.
-  [[nodiscard]] const gcode::MoveLimit& moveLimit() const { return m_moves.limit; }
+  [[nodiscard]] const gcode::MoveRules& moveRules() const { return m_moves.limit; }
   /// Where the program came from.
   [[nodiscard]] session::ProgramSource source() const;
 
@@ -213,7 +213,7 @@ class Document final : public QObject {
   void takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
                   const session::PlaceRequest& request);
   /// What the points of the program are to be made for; as they are while a run has them.
-  [[nodiscard]] gcode::MoveLimit wantedMoveLimit() const;
+  [[nodiscard]] gcode::MoveRules wantedMoveRules() const;
   /// What access costs with the present settings. @param source  its form is set
   [[nodiscard]] feasibility::AccessModel accessModel(widgets::AccessSource& source) const;
   void chooseFeedCells(const feasibility::AccessModel& access);
@@ -277,8 +277,8 @@ class Document final : public QObject {
   /// Of the program, a stop may have to wait for its moves.
   struct Moves {
     std::shared_ptr<const gcode::Program> whole;  ///< as it was read
-    gcode::MoveLimit limit;                       ///< by which the shown points are divided
-    std::optional<gcode::MoveLimit> ofRun;        ///< see `openMotion`
+    gcode::MoveRules limit;                       ///< by which the shown points are divided
+    std::optional<gcode::MoveRules> ofRun;        ///< see `openMotion`
   };
   Moves m_moves;
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen

@@ -202,7 +202,7 @@ void FoundRuns::dismiss() {
 bool FoundRuns::isLoaded(const report::SavedRun& run) const {
   const QString file = QString::fromStdString(run.programFile);
   return m_document.program() && m_document.isJob() == m_seen.isJob &&
-         m_document.moveLimit() == run.reading.moveLimit && !m_document.hasFileChanged() &&
+         m_document.moveRules() == run.reading.moveRules && !m_document.hasFileChanged() &&
          (m_document.path() == file ||
           (!QFileInfo::exists(file) && m_document.program()->name == run.programName));
 }
@@ -221,7 +221,7 @@ bool FoundRuns::load(const report::SavedRun& run) {
   if (m_seen.isJob) {
     m_document.open(file, reading);
   } else {
-    m_document.openMotion(file, reading, run.reading.moveLimit);
+    m_document.openMotion(file, reading, run.reading.moveRules);
   }
   return true;
 }

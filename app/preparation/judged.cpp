@@ -48,6 +48,7 @@ streaming::RunSettings runSettings(
       settings.feedMmPerS = wanted.overrideFactor * view->fastestMmPerS;
     }
   }
+  settings.tolerance = wanted.tolerance;
   settings.factor = wanted.factor;
   settings.transfer =
       wanted.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
@@ -65,6 +66,7 @@ streaming::StreamSettings settingsOfRun(const streaming::RunSettings& run,
                                         streaming::StreamSettings settings) {
   settings.parameters = run.parameters;
   settings.factor = run.factor;
+  settings.tolerance = run.tolerance;
   settings.programFeeds = run.programFeeds.has_value();
   if (run.programFeeds) {
     settings.overrideFactor = run.programFeeds->overrideFactor;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "gcode/block_observer.h"
-#include "gcode/thinning.h"
 #include "job/dry_plan.h"
 #include "overview/job_outline.h"
 
@@ -41,18 +40,23 @@ SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
           std::move(dryRunError)};
 }
 
-std::shared_ptr<const gcode::Program> dividedProgram(std::shared_ptr<const gcode::Program> program,
-                                                     const gcode::MoveLimit& limit,
+std::shared_ptr<const gcode::Program> programByRules(std::shared_ptr<const gcode::Program> program,
+                                                     const gcode::MoveRules& rules,
                                                      const base::Budget& budget) {
-  gcode::Trajectory parts = program->trajectory;
-  if (!gcode::divideLongMoves(parts, limit, budget) ||
-      parts.points.size() == program->trajectory.points.size()) {
+  if (rules == gcode::MoveRules{}) {
     return program;
   }
-  auto divided = std::make_shared<gcode::Program>(*program);
-  divided->trajectory = std::move(parts);
-  divided->statistics.points = divided->trajectory.points.size();
-  return divided;
+  auto changed = std::make_shared<gcode::Program>(*program);
+  base::Result<bool> applied = gcode::applyRules(*changed, rules, budget);
+  if (!applied && rules.tolerance != 0.0) {
+    gcode::MoveRules exact = rules;
+    exact.tolerance = 0.0;
+    applied = gcode::applyRules(*changed, exact, budget);
+  }
+  if (applied && *applied) {
+    return changed;
+  }
+  return program;
 }
 
 }  // namespace rivulet::preparation

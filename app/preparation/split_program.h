@@ -31,10 +31,11 @@ struct SplitProgram {
                                         const std::filesystem::path& path, bool asJob,
                                         double dryRunMm, const job::Profile& machine);
 
-/// The same program where none of its moves takes too long; the very same if none does, or if the
-/// path would not fit into the memory allowed.
-[[nodiscard]] std::shared_ptr<const gcode::Program> dividedProgram(
-    std::shared_ptr<const gcode::Program> program, const gcode::MoveLimit& limit,
+/// The same program with its moves merged and divided by the rules; the very same if nothing has to
+/// be done, or if the path would not fit into the memory allowed. What cannot be kept within the
+/// tolerance is not merged: `gcode::Program::merged` says so.
+[[nodiscard]] std::shared_ptr<const gcode::Program> programByRules(
+    std::shared_ptr<const gcode::Program> program, const gcode::MoveRules& rules,
     const base::Budget& budget = {});
 
 }  // namespace rivulet::preparation

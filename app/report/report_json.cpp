@@ -140,6 +140,10 @@ ordered_json overrideLimitJson(const streaming::OverrideLimit& limit) {
           {"rapid", limit.isRapid}};
 }
 
+ordered_json mergedJson(const gcode::MergedMoves& merged) {
+  return jsonOf(merged, mergedFields);
+}
+
 ordered_json distancesJson(const feasibility::ProgramDistances& distances) {
   return {
       {"d_min_mm", distances.pointDistanceMmMin},

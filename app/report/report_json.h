@@ -36,6 +36,7 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
 /// The largest override and the block that limits it.
 [[nodiscard]] nlohmann::ordered_json overrideLimitJson(const streaming::OverrideLimit& limit);
+[[nodiscard]] nlohmann::ordered_json mergedJson(const gcode::MergedMoves& merged);
 [[nodiscard]] nlohmann::ordered_json distancesJson(const feasibility::ProgramDistances& distances);
 /// The facts of a program's text, in its own units; null if not known.
 [[nodiscard]] nlohmann::ordered_json factsJson(const gcode::ProgramFacts& facts);

@@ -198,6 +198,7 @@ inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
   if (Io::kReads || parameters.packed) {
     io.ifThere().flag("packed", parameters.packed);
   }
+  io.ifSet().number("tolerance_mm", settings.tolerance, 0.0, gcode::kStreamToleranceMax);
   // In mm/s: a run is resumed with exactly the same feeds.
   maybe(io, "program_feeds", settings.programFeeds, [](auto& inner, auto& feeds) {
     if constexpr (!Io::kReads) {
@@ -212,11 +213,19 @@ inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
   }
 };
 
+inline constexpr auto mergedFields = [](auto& io, auto& merged) {
+  io.count("of", merged.of);
+  io.count("to", merged.to);
+  io.number("tolerance_mm", merged.toleranceMm, 0.0, gcode::kStreamToleranceMax);
+  io.number("deviation_mm", merged.deviationMm, 0.0, gcode::kStreamToleranceMax);
+};
+
 /// All but settings and origin. The pauses begin with the trace.
 template <class Io, class Report>
 void runFields(Io& io, Report& report) {
   io.named("outcome", report.outcome, streaming::outcomeName, outcomeOfName());
   io.ifThere().text("program", report.programName);
+  maybe(io, "merged", report.merged, mergedFields);
   io.count("points", report.counters.total);
   io.count("sent", report.counters.sent);
   io.count("accepted", report.counters.accepted);

@@ -59,9 +59,13 @@ constexpr auto readingFields = []<class Io>(Io& io, auto& reading) {
   if (io.has("no_point", reading.noPoint)) {
     io.named("no_point", *reading.noPoint, gcode::noPointName, gcode::noPointOfName);
   }
-  io.ifSet().number("move_s_max", reading.moveLimit.secondsMax, 0.0, kWindowSMost);
-  io.ifSet().number("move_feed_mm_per_s", reading.moveLimit.feedMmPerS, 0.0, kJsonCountMax);
-  maybe(io, "move_feeds", reading.moveLimit.feeds, feedLimitFields);
+  io.ifSet().number("move_s_max", reading.moveRules.secondsMax, 0.0, kWindowSMost);
+  io.ifSet().number("move_feed_mm_per_s", reading.moveRules.feedMmPerS, 0.0, kJsonCountMax);
+  maybe(io, "move_feeds", reading.moveRules.feeds, feedLimitFields);
+  io.ifSet().number("tolerance_mm", reading.moveRules.tolerance, 0.0, gcode::kStreamToleranceMax);
+  if (Io::kReads || reading.moveRules.onSteps) {
+    io.ifThere().flag("on_steps", reading.moveRules.onSteps);
+  }
   std::string settings = gcode::textOf(reading.settings);
   io.ifSet().text("settings", settings);
   if constexpr (Io::kReads) {

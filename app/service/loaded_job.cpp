@@ -170,9 +170,9 @@ void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
                                          machine.calibration);
   runSettings.windowSMax =
       streaming::windowSMaxOf(machine.feedProof, parameters.target, machine.stopLimitS);
-  reading.moveLimit = view->isJob() ? gcode::MoveLimit{}
-                                    : moveLimitOfRun.value_or(streaming::moveLimit(runSettings));
-  if (const auto divided = preparation::dividedProgram(program, reading.moveLimit, reading.budget);
+  reading.moveRules = view->isJob() ? gcode::MoveRules{}
+                                    : moveRulesOfRun.value_or(streaming::moveRules(runSettings));
+  if (const auto divided = preparation::programByRules(program, reading.moveRules, reading.budget);
       divided != program) {
     view = viewOf(divided);
   }
@@ -195,7 +195,7 @@ base::Result<LoadedJob> loadJob(
   std::error_code ignored;
   job.file = std::filesystem::absolute(file, ignored);
   job.reading = reading;
-  job.reading.moveLimit = {};
+  job.reading.moveRules = {};
   machine.load.tell(job.reading);
   // Taken before the text is read: anything written meanwhile counts as a change.
   job.fileBytes = std::filesystem::file_size(job.file, ignored);
@@ -209,7 +209,7 @@ base::Result<LoadedJob> loadJob(
     return base::fail(chosen.error());
   }
   job.settings = std::move(chosen->run);
-  job.moveLimitOfRun = chosen->moveLimit;
+  job.moveRulesOfRun = chosen->moveRules;
   if (!(chosen->reading == reading)) {
     job.reading.setReading(chosen->reading);
     program = gcode::loadProgram(job.file, job.reading);

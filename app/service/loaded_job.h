@@ -54,7 +54,7 @@ struct JobSettings {
   gcode::TextReading reading;
   /// Of the run that is resumed: its long moves are divided as they were. Nothing: as the machine
   /// and the settings want it.
-  std::optional<gcode::MoveLimit> moveLimit{};
+  std::optional<gcode::MoveRules> moveRules{};
 };
 
 /// The settings of a job for which nobody has given any: feeds of the program, whole jobs.
@@ -71,7 +71,7 @@ struct LoadedJob {
   std::filesystem::file_time_type fileTime{};
   streaming::StreamSettings settings;
   std::shared_ptr<const gcode::Program> program;   ///< as read; moves of the view's may be divided
-  std::optional<gcode::MoveLimit> moveLimitOfRun;  ///< see `JobSettings`
+  std::optional<gcode::MoveRules> moveRulesOfRun;  ///< see `JobSettings`
   std::shared_ptr<const overview::ProgramView> view;
   streaming::RunSettings runSettings;
   preparation::Judged judged;

@@ -839,7 +839,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
           JobSettings settings{preparation::settingsOfRun(run->settings, defaultSettings().run),
                                run->reading};
           settings.run.wholeJob = m_runs.isJob;
-          settings.moveLimit = run->reading.moveLimit;
+          settings.moveRules = run->reading.moveRules;
           return settings;
         },
         run->checkpoint.startMm, *m_machine);

@@ -87,9 +87,9 @@ void ProgramLoader::load(LoadRequest request) {
         request.reading.dryRunMm, request.reading.machine.words);
     const bool isJob = read.plan && read.program.get() == &read.plan->program;
     LoadRequest done = request;
-    done.moveLimit = isJob ? gcode::MoveLimit{} : request.moveLimit;
+    done.moveRules = isJob ? gcode::MoveRules{} : request.moveRules;
     auto view = overview::makeProgramView(
-        preparation::dividedProgram(read.program, done.moveLimit), request.startMm,
+        preparation::programByRules(read.program, done.moveRules), request.startMm,
         request.pointsPerLoop,
         [&](double share) {
           const double before = kReadShare + kSplitShare;
@@ -115,7 +115,7 @@ void ProgramLoader::place(PlaceRequest request) {
       this,
       [stop = m_placing, request] {
         return overview::makeProgramView(
-            preparation::dividedProgram(request.program, request.moveLimit), request.startMm,
+            preparation::programByRules(request.program, request.moveRules), request.startMm,
             request.pointsPerLoop, [&stop](double) { return !stop->load(); }, request.view->feeds,
             request.view->plan);
       },

@@ -39,7 +39,7 @@ struct LoadRequest {
   int pointsPerLoop = 2;  ///< N of the distances
   /// Limits of the feeds of the program, at 100 %.
   std::optional<gcode::ProgramFeeds> feeds{};
-  gcode::MoveLimit moveLimit{};  ///< long moves are divided; not those of a whole job
+  gcode::MoveRules moveRules{};  ///< long moves are divided; not those of a whole job
 };
 
 struct LoadedProgram {
@@ -54,7 +54,7 @@ struct LoadedProgram {
 struct PlaceRequest {
   std::shared_ptr<const overview::ProgramView> view;  ///< to be replaced
   std::shared_ptr<const gcode::Program> program;  ///< as it was read; of a job, that of the view
-  gcode::MoveLimit moveLimit{};
+  gcode::MoveRules moveRules{};
   base::Vec3 startMm;     ///< present tool position, all finite
   int pointsPerLoop = 2;  ///< N of the distances
 };

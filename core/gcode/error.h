@@ -16,6 +16,7 @@ enum class GcodeError {
   NotUnderstood,       ///< a finding of severity Error: the path cannot be trusted
   Cancelled,           ///< `LoadOptions::progress` said so
   Ambiguous,           ///< the text leaves open what it means: an option says it
+  BadTolerance,        ///< the moves of the program cannot be merged within it
 };
 
 [[nodiscard]] std::error_code make_error_code(GcodeError code);

@@ -26,14 +26,23 @@ struct ProgramFeeds {
   friend bool operator==(const ProgramFeeds&, const ProgramFeeds&) = default;
 };
 
-/// How long a single straight move may take: what stops before the next window does not stop
-/// within a move. Belongs to a run, so that the same points come out when it is resumed.
-struct MoveLimit {
-  double secondsMax = 0.0;            ///< at an override of 100 %, without acceleration; 0: any
+/// Tolerances of streamed moves, mm and degrees: where steps are coarser the path is another.
+inline constexpr double kStreamToleranceMax = 1.0;
+
+/// What becomes of the straight moves of a program before they are streamed. Belongs to a run, so
+/// that the same points come out when it is resumed. See `applyRules`.
+struct MoveRules {
+  /// How long a single one may take: what stops before the next window does not stop within a
+  /// move. At an override of 100 %, without acceleration; 0: any.
+  double secondsMax = 0.0;
   double feedMmPerS = 0.0;            ///< of all moves
   std::optional<ProgramFeeds> feeds;  ///< each move has the feed of its own block instead
+  /// Fewer moves take the place of many within it, mm and degrees, up to `kStreamToleranceMax`; 0:
+  /// the program's own.
+  double tolerance = 0.0;
+  bool onSteps = false;  ///< their ends are going to be moved to whole steps (`base::Packing`)
 
-  friend bool operator==(const MoveLimit&, const MoveLimit&) = default;
+  friend bool operator==(const MoveRules&, const MoveRules&) = default;
 };
 
 /// The feed that is commanded for the move to this point; mm/s, or deg/s if it only turns.

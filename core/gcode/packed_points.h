@@ -24,6 +24,16 @@ namespace rivulet::gcode {
   return fits;
 }
 
+[[nodiscard]] inline base::AxisPosition onSteps(base::AxisPosition place) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    place.mm.set(axis, base::Packing::rounded(place.mm[axis]));
+  }
+  for (double& deg : place.deg) {
+    deg = base::Packing::rounded(deg);
+  }
+  return place;
+}
+
 /// Onto whole steps; what stands where it stood stays there.
 inline void roundToSteps(StreamPoint& point, const base::AxisPosition& stood) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {

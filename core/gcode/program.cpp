@@ -21,6 +21,8 @@
 #include "base/text.h"
 #include "gcode/block_observer.h"
 #include "gcode/interpreter.h"
+#include "gcode/packed_points.h"
+#include "gcode/path_deviation.h"
 #include "gcode/thinning.h"
 
 namespace rivulet::gcode {
@@ -327,27 +329,86 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
                                       {Severity::Error, ambiguity->line, 1,
                                        DiagnosticCode::DialectUnclear, describe(*ambiguity)});
   }
-  if (observer == nullptr) {  // who observes counts points
-    const std::uint64_t held =
-        interpretation.trajectory.points.capacity() * sizeof(TrajectoryPoint);
-    if (auto fits =
-            divideLongMoves(interpretation.trajectory, options.moveLimit, own.budget.without(held));
-        !fits) {
-      return base::fail(inFile(std::move(fits.error()), name));
-    }
-    interpretation.statistics.points = interpretation.trajectory.points.size();
-  }
   std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
-  return Program{std::move(name),
-                 std::move(text),
-                 std::move(hash),
-                 interpretation.dialect,
-                 std::move(interpretation.dialectEvidence),
-                 std::move(interpretation.trajectory),
-                 std::move(interpretation.diagnostics),
-                 std::move(interpretation.statistics),
-                 std::move(interpretation.facts),
-                 ambiguity};
+  Program program{std::move(name),
+                  std::move(text),
+                  std::move(hash),
+                  interpretation.dialect,
+                  std::move(interpretation.dialectEvidence),
+                  std::move(interpretation.trajectory),
+                  std::move(interpretation.diagnostics),
+                  std::move(interpretation.statistics),
+                  std::move(interpretation.facts),
+                  ambiguity};
+  if (observer == nullptr) {  // who observes counts points
+    const std::uint64_t held = program.trajectory.points.capacity() * sizeof(TrajectoryPoint);
+    if (auto applied = applyRules(program, options.moveRules, own.budget.without(held)); !applied) {
+      return base::fail(inFile(std::move(applied.error()), program.name));
+    }
+    program.statistics.points = program.trajectory.points.size();
+  }
+  return program;
+}
+
+std::string describe(const MergedMoves& merged) {
+  return fmt::format("{} of {} points are streamed, at most {:.4f} mm off the program.", merged.to,
+                     merged.of, merged.deviationMm);
+}
+
+namespace {
+
+/// Merges, and looks whether the path is still the same, in a way of its own.
+base::Result<MergedMoves> mergeMoves(Trajectory& trajectory, const MoveRules& rules) {
+  if (!(rules.tolerance > 0.0 && rules.tolerance <= kStreamToleranceMax)) {
+    return base::fail(
+        GcodeError::BadTolerance,
+        fmt::format("A tolerance of {} mm cannot be kept: give one above 0, up to {}.",
+                    rules.tolerance, kStreamToleranceMax));
+  }
+  Trajectory merged = thin(trajectory, {rules.tolerance, rules.onSteps}).trajectory;
+  std::vector<base::AxisPosition> streamed = placesOf(merged);
+  for (base::AxisPosition& place : streamed) {
+    place = rules.onSteps ? onSteps(place) : place;
+  }
+  const auto deviation = pathDeviation(placesOf(trajectory), streamed, rules.tolerance);
+  if (!deviation) {
+    return base::fail(
+        GcodeError::BadTolerance,
+        fmt::format("The path cannot be kept within {} mm{}.", rules.tolerance,
+                    rules.onSteps ? " where points are packed: they are moved to whole "
+                                    "steps of 0.001 mm. Allow more, or do not pack them"
+                                  : ""));
+  }
+  const MergedMoves done{trajectory.points.size(), merged.points.size(), rules.tolerance,
+                         *deviation};
+  trajectory = std::move(merged);
+  return done;
+}
+
+}  // namespace
+
+base::Result<bool> applyRules(Program& program, const MoveRules& rules,
+                              const base::Budget& budget) {
+  Trajectory whole;
+  std::optional<MergedMoves> merged;
+  if (rules.tolerance != 0.0) {
+    whole = program.trajectory;
+    auto done = mergeMoves(program.trajectory, rules);
+    if (!done) {
+      return base::fail(done.error());
+    }
+    merged = *done;
+  }
+  const std::size_t before = program.trajectory.points.size();
+  if (auto divided = divideLongMoves(program.trajectory, rules, budget); !divided) {
+    if (merged) {
+      program.trajectory = std::move(whole);
+    }
+    return base::fail(divided.error());
+  }
+  program.merged = merged;
+  program.statistics.points = program.trajectory.points.size();
+  return merged.has_value() || program.trajectory.points.size() != before;
 }
 
 std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogramsBeside(

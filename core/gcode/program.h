@@ -90,9 +90,9 @@ struct LoadOptions : TextReading {
   /// Where the machine that runs it has the zero of a work offset (by key of its G function, -1:
   /// none named), without a tool's length. Nothing, or empty: only the control knows.
   std::function<std::optional<base::Vec3>(int workOffset)> workOffsetMm;
-  /// Moves that take longer are divided. A whole job's are not: its stretches are counted in
+  /// What becomes of the moves. Those of a whole job stay as they are: its stretches are counted in
   /// points.
-  MoveLimit moveLimit{};
+  MoveRules moveRules{};
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
 
@@ -138,6 +138,18 @@ struct Ambiguity {
 /// "as fanuc the tool goes to X10 Y2, as linuxcnc to X10 Y0"
 [[nodiscard]] std::string describe(const Ambiguity& ambiguity);
 
+/// Moves that were replaced by fewer ones, within a tolerance.
+struct MergedMoves {
+  std::size_t of = 0;        ///< points of the program
+  std::size_t to = 0;        ///< … that are left, before long moves are divided
+  double toleranceMm = 0.0;  ///< what was allowed; degrees of rotary axes
+  double deviationMm = 0.0;  ///< measured by `pathDeviation`, <= tolerance
+
+  friend bool operator==(const MergedMoves&, const MergedMoves&) = default;
+};
+/// "1200 of 10000 points are streamed, at most 0.0049 mm off the program."
+[[nodiscard]] std::string describe(const MergedMoves& merged);
+
 struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
@@ -152,6 +164,7 @@ struct Program {
   ProgramFacts facts;
   /// Asks for `LoadOptions::dialect`; a finding of severity error says the same.
   std::optional<Ambiguity> ambiguity;
+  std::optional<MergedMoves> merged{};  ///< nothing: no tolerance was given
 
   /// True if no finding is an error: the whole path is known.
   [[nodiscard]] bool isUnderstood() const;
@@ -168,6 +181,13 @@ struct Program {
 [[nodiscard]] const Diagnostic* openSetting(const Program& program);
 /// What has been taken from settings of the control that nobody has said, by its findings.
 [[nodiscard]] ControlSettings openSettings(const Program& program);
+
+/// Merges the moves of a program within the tolerance of the rules, then divides those that take
+/// too long. @param budget  of the new trajectory
+/// @return whether anything was changed; BudgetError::Exceeded; GcodeError::BadTolerance if the
+/// path cannot be kept within the tolerance. On an error the program stays as it was.
+[[nodiscard]] base::Result<bool> applyRules(Program& program, const MoveRules& rules,
+                                            const base::Budget& budget = {});
 
 /// Interprets an NC text. @return error EmptyProgram, NoMotion or BudgetError::Exceeded; findings
 /// are in the program.

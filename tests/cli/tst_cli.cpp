@@ -266,10 +266,11 @@ class TestCli : public QObject {
     QCOMPARE(all.output,
              QString::fromLatin1("line,kind,x_mm,y_mm,z_mm,feed_mm_per_min\n1,rapid,0,0,0,\n"
                                  "2,line,1,0,0,60\n3,line,2,0,0,60\n4,line,3,1,0,60\n"));
-    const Outcome thinned =
-        run({QStringLiteral("points"), program, QStringLiteral("--thin"), QStringLiteral("0.001")});
+    const Outcome thinned = run({QStringLiteral("points"), program, QStringLiteral("--tolerance"),
+                                 QStringLiteral("0.001")});
     QCOMPARE(thinned.output.count(QLatin1Char('\n')), 4);
-    QVERIFY(thinned.errors.contains(QStringLiteral("1 points left out")));
+    QVERIFY(thinned.errors.contains(
+        QStringLiteral("3 of 4 points are streamed, at most 0.0000 mm off the program.")));
     const Outcome split =
         run({QStringLiteral("points"), program, QStringLiteral("--split"), QStringLiteral("0.5")});
     QCOMPARE(split.output.count(QLatin1Char('\n')), 9);

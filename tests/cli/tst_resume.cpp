@@ -285,6 +285,55 @@ class TestResume : public QObject {
     QVERIFY(list.runs.back().recording.ends_with("1.rivulet"));
   }
 
+  /// The points of a run within a tolerance are those of the run that goes on, whether it is given
+  /// again or not; another one is refused.
+  void aToleranceIsThatOfTheRun() {
+    const QString program = path(QStringLiteral("dense.nc"));
+    QByteArray text("G1 X0 Y0 Z10 F3000\n");
+    for (int i = 1; i <= 600; ++i) {
+      const double angle = 0.01 * i;
+      text += "X" + QByteArray::number(20.0 * std::sin(angle), 'f', 3) + " Y" +
+              QByteArray::number(20.0 - 20.0 * std::cos(angle), 'f', 3) + '\n';
+    }
+    QFile file(program);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+    file.close();
+    const auto stream = [&](const char* recording, const char* more) {
+      return QStringList{QStringLiteral("stream"), program} +
+             words("--feed 500 --json --packed --record") +
+             QStringList{path(QString::fromLatin1(recording)), QStringLiteral("--endpoint"),
+                         m_endpoint} +
+             words(more);
+    };
+    const json stopped = ask(stream("t-1.rivulet", "--tolerance 0.02 --stop-after 3"), 0);
+    QVERIFY2(stopped.is_object() && stopped["outcome"] == "stopped", stopped.dump(1).c_str());
+    const json& merged = stopped["merged"];
+    QCOMPARE(merged["of"], 601);
+    QCOMPARE(merged["to"], stopped["points"]);
+    QVERIFY(merged["to"] < 100 && merged["deviation_mm"] <= 0.02 && merged["deviation_mm"] > 0.01);
+    QCOMPARE(stopped["settings"]["tolerance_mm"], 0.02);
+    const QString run = QString::fromStdString(stopped["saved_run"].get<std::string>());
+    QVERIFY(
+        ask(stream("t-2.rivulet", "--tolerance 0.01 --resume") + QStringList{run}, 2).is_null());
+    const json resumed = ask(stream("t-3.rivulet", "--resume") + QStringList{run}, 0);
+    QVERIFY2(resumed.is_object() && resumed["outcome"] == "completed" && resumed["faultless"],
+             resumed.dump(1).c_str());
+    QCOMPARE(resumed["merged"], merged);
+    gcode::Program whole = *gcode::interpretProgram("dense.nc", text.toStdString());
+    gcode::MoveRules rules;
+    rules.tolerance = 0.02;
+    rules.onSteps = true;
+    QVERIFY(gcode::applyRules(whole, rules));
+    const auto points = gcode::streamPoints(whole.trajectory, {}).points;
+    std::vector<trace::ExecutedBlock> blocks = executed(QStringLiteral("t-1.rivulet"));
+    const auto after = executed(QStringLiteral("t-3.rivulet"));
+    blocks.insert(blocks.end(), after.begin(), after.end());
+    QCOMPARE(blocks.size(), points.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      QVERIFY(base::distance(blocks[i].targetMm, points[i].positionMm) < 1e-6);
+    }
+  }
+
   /// Stopped in the middle of a row, driven back by 20 mm along the path, once more to where the
   /// rapid ended being refused beyond it, and resumed: the machine's traces have each point once,
   /// and from where the tool stood then once more.

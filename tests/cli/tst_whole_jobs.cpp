@@ -154,10 +154,11 @@ class TestWholeJobs : public QObject {
     QVERIFY(moved["executed"].get<int>() >= 4);
     QVERIFY(!motion.errors.contains("Only the motion"));
     // An option that the motion alone has says so by itself.
-    const Outcome thinned = stream({program, QStringLiteral("--thin"), QStringLiteral("0.001")});
+    const Outcome thinned =
+        stream({program, QStringLiteral("--tolerance"), QStringLiteral("0.001")});
     QVERIFY2(thinned.exit == 0, thinned.errors.constData());
     QVERIFY(!json::parse(thinned.output.toStdString()).contains("job"));
-    QVERIFY2(thinned.errors.contains("Only the motion is streamed: --thin"),
+    QVERIFY2(thinned.errors.contains("Only the motion is streamed: --tolerance"),
              thinned.errors.constData());
     const Outcome plain = stream({part("G0 X0 Y0 Z45\nG1 X5 F1000\nX9\nM30\n")});
     QVERIFY2(plain.exit == 0, plain.errors.constData());

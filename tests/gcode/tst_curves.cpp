@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Frames, splines, arcs in space and thinning: what must hold for any of them.
+// Frames, splines, arcs in space and divided moves: what must hold for any of them.
 
 #include <rapidcheck.h>
 
@@ -192,46 +192,6 @@ class TestCurves : public QObject {
       RC_ASSERT(base::dot(base::cross(arc->axis, radius), direction) > 0.0);
       RC_ASSERT(std::abs(base::distance(to, arc->centreMm) - radiusMm) < 1e-6 * radiusMm + 1e-6);
     }));
-  }
-
-  /// Nothing left out lies further from the thinned path than the error it states.
-  void thinningWithinTolerance() {
-    QVERIFY(rc::check("thinning", [] {
-      const gcode::Trajectory path = drawPath();
-      const double toleranceMm = *rc::gen::inRange(1, 400) / 1000.0;
-      const gcode::ThinnedTrajectory thinned = gcode::thin(path, toleranceMm);
-      RC_ASSERT(thinned.errorMmMax <= toleranceMm);
-      RC_ASSERT(thinned.leftOut + thinned.trajectory.points.size() == path.points.size());
-      std::size_t next = 0;
-      Vec3 from = thinned.trajectory.points.front().positionMm;
-      double furthestMm = 0.0;
-      for (const gcode::TrajectoryPoint& each : path.points) {
-        const gcode::TrajectoryPoint& kept = thinned.trajectory.points[next];
-        if (each.line == kept.line) {
-          RC_ASSERT(each.kind == kept.kind);
-          from = kept.positionMm;
-          ++next;
-          continue;
-        }
-        // A point left out belongs to the move that ends at the next one kept.
-        RC_ASSERT(each.kind == kept.kind && each.feedMmPerS == kept.feedMmPerS);
-        furthestMm = std::max(furthestMm, segmentDistance(each.positionMm, from, kept.positionMm));
-      }
-      RC_ASSERT(next == thinned.trajectory.points.size());
-      RC_ASSERT(std::abs(furthestMm - thinned.errorMmMax) < 1e-12);
-      RC_ASSERT(thinned.trajectory.events.size() == path.events.size());
-    }));
-  }
-
-  void straightLinesThinToTheirEnds() {
-    const auto result = gcode::interpret(
-        "G0 X0 Y0 Z0\nG1 F60\nX1 Y1\nX2 Y2\nX3 Y3\nM3\nX4 Y4\nX5 Y5 F90\nX6 Y6", {});
-    const gcode::ThinnedTrajectory thinned = gcode::thin(result.trajectory, 1e-6);
-    QCOMPARE(QByteArray::fromStdString(test::printPoints(thinned.trajectory)),
-             QByteArray("1 R X0 Y0 Z0 | 5 L X3 Y3 Z0 F60 | 7 L X4 Y4 Z0 F60 | 9 L X6 Y6 Z0 F90"));
-    QVERIFY(thinned.errorMmMax < 1e-12);
-    QCOMPARE(thinned.trajectory.events.size(), std::size_t{1});
-    QCOMPARE(thinned.trajectory.events[0].point, std::size_t{2});
   }
 
   void splittingKeepsThePath() {

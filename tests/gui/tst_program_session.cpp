@@ -273,7 +273,7 @@ class TestProgramSession : public QObject {
     std::shared_ptr<const overview::ProgramView> placed;
     connect(&loader, &ProgramLoader::placed, this,
             [&](const auto& made, const auto&) { placed = made; });
-    gcode::MoveLimit limit;
+    gcode::MoveRules limit;
     limit.secondsMax = 2.0;
     limit.feedMmPerS = 10.0;
     loader.place({view, program, limit, {}, 2});

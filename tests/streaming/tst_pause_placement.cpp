@@ -202,7 +202,7 @@ class TestPausePlacement : public QObject {
               .points;
         };
         QVERIFY(streaming::stopBound(pointsNow(), {}, settings).longMove);
-        QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveLimit(settings)));
+        QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveRules(settings)));
         const auto bound = streaming::stopBound(pointsNow(), {}, settings);
         QVERIFY(!bound.longMove);
         QVERIFY(bound.seconds <= limitS * (1 + 1e-6));
@@ -214,12 +214,12 @@ class TestPausePlacement : public QObject {
     settings.feedMmPerS = 1.0;
     settings.windowSMax = 5.0;
     program.trajectory = whole;
-    QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveLimit(settings)));
+    QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveRules(settings)));
     QCOMPARE(program.trajectory.points.size(),
              std::size_t{1 + 1 + 12 + 48 + 180 + 190});  // the last is 948.7 mm long
     // The methods of [P1] stay as they are published.
     settings.parameters.method = base::MethodKind::Position;
-    QCOMPARE(streaming::moveLimit(settings).secondsMax, 0.0);
+    QCOMPARE(streaming::moveRules(settings).secondsMax, 0.0);
   }
 
   /// A run is resumed by the windows that it had, whatever feed and limit are set by then.

@@ -105,6 +105,7 @@ class Job : public HostedRun {
 
   RunReport run() {
     m_report.programName = m_program.name;
+    m_report.merged = m_program.merged;
     m_type.complete(m_settings, entropy(m_program.hash));
     m_report.settings = m_settings;
     Result<void> result;
@@ -669,6 +670,7 @@ RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Progra
     RunReport report;
     report.error = flexible.error();
     report.programName = program.name;
+    report.merged = program.merged;
     report.settings = settings;
     return report;
   }

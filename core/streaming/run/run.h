@@ -157,6 +157,9 @@ struct RunSettings {
   /// Each move has the feed of its own block; nothing: all have the same. Not for the methods of
   /// [P1]. See `planFeeds`.
   std::optional<gcode::ProgramFeeds> programFeeds;
+  /// Within it, fewer points are streamed than the program has, see `moveRules`; mm, and degrees of
+  /// rotary axes. 0: all.
+  double tolerance = 0.0;
   opcua::Grouping grouping = opcua::Grouping::List;
   /// If it is not Fixed, the forms are tested on the cells of the first window (or on the slots,
   /// which must be contiguous) before the program on the control is started, and `grouping` is set
@@ -294,8 +297,9 @@ struct RunReport {
   /// run that was resumed speak of the points from `firstPoint` on.
   std::optional<Checkpoint> checkpoint;
   std::string programName;
-  RunSettings settings;                    ///< with the grouping that was used
-  std::optional<AccessForms> accessForms;  ///< the forms that were tried; nothing if none were
+  std::optional<gcode::MergedMoves> merged;  ///< of the program; nothing: its points as they are
+  RunSettings settings;                      ///< with the grouping that was used
+  std::optional<AccessForms> accessForms;    ///< the forms that were tried; nothing if none were
   std::optional<ProgramTransfer> transfer;
   /// The beginning of the trace, as much as RunTrace keeps; null if there was none. What is judged
   /// is the whole trace.

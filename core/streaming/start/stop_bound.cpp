@@ -80,18 +80,19 @@ std::string describe(const StopBound& bound, FeedProof proof, bool hasFeedCell) 
   return text;
 }
 
-gcode::MoveLimit moveLimit(const RunSettings& settings) {
-  if (!base::hasWindows(settings.parameters.method)) {
-    return {};
+gcode::MoveRules moveRules(const RunSettings& settings) {
+  gcode::MoveRules rules;
+  rules.tolerance = settings.tolerance;
+  rules.onSteps = settings.tolerance != 0.0 && templates::packingOf(settings.parameters);
+  if (base::hasWindows(settings.parameters.method)) {
+    rules.secondsMax = windowCut(settings).secondsMax;
   }
-  gcode::MoveLimit limit;
-  limit.secondsMax = windowCut(settings).secondsMax;
-  if (settings.programFeeds) {
-    limit.feeds = settings.programFeeds;
-  } else {
-    limit.feedMmPerS = settings.feedMmPerS;
+  if (rules.secondsMax > 0.0 && settings.programFeeds) {
+    rules.feeds = settings.programFeeds;
+  } else if (rules.secondsMax > 0.0) {
+    rules.feedMmPerS = settings.feedMmPerS;
   }
-  return limit;
+  return rules;
 }
 
 double windowSMaxOf(FeedProof proof, templates::TargetControl target, double limitS) {

@@ -42,9 +42,9 @@ struct StopBound {
 /// "Stop: the control still executes ...", with the reason. @param hasFeedCell  of the program
 [[nodiscard]] std::string describe(const StopBound& bound, FeedProof proof, bool hasFeedCell);
 
-/// What the program of a run is read with, or divided by, so that its single moves are as short as
-/// its windows. No limit: the method has no windows, or they may take any time.
-[[nodiscard]] gcode::MoveLimit moveLimit(const RunSettings& settings);
+/// What the program of a run is read with: its tolerance, and by what its moves are divided so that
+/// none is longer than a window. No limit: the method has no windows, or they may take any time.
+[[nodiscard]] gcode::MoveRules moveRules(const RunSettings& settings);
 
 /// How long a window may take in a run on this control: see `RunSettings::windowSMax`.
 /// @param limitS  of its machine, see `stopLimitS`  @return 0: any

@@ -17,6 +17,7 @@ struct StreamSettings {
   double feedMmPerS = 500.0 / 60.0;          ///< > 0; of all moves, unless `usesProgramFeeds`
   bool programFeeds = false;                 ///< each move has the feed of its own block
   double overrideFactor = 1.0;               ///< on those feeds
+  double tolerance = 0.0;                    ///< see `RunSettings::tolerance`
   AccessPreference access = AccessPreference::Automatic;
   /// A program with blocks that only the control can execute is run with them, where the connected
   /// machine can; false: its motion alone.

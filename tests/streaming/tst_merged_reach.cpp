@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// How fast dense points can be streamed without the machine waiting for the client: as they are,
+/// packed, within a tolerance, and both; by method, at the access times of [P1] and with its
+/// machine as it is. `RIVULET_SEEDS=40` makes the table of docs/reach.md.
+
+#include <QtTest>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "base/random.h"
+#include "base/units.h"
+#include "gcode/path_deviation.h"
+#include "streaming/simulation/scenario.h"
+#include "streaming/start/stop_bound.h"
+#include "support/setting.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using base::MethodKind;
+using base::Vec3;
+using streaming::RunReport;
+
+namespace {
+
+constexpr double kToleranceMm = 0.005;
+constexpr double kPathMm = 150.0;
+constexpr double kPointDistanceMm = 0.15;
+constexpr double kRestMm = 0.05;
+
+/// What is streamed.
+enum class Path {
+  Curve,    ///< points on a smooth line, as a CAM system puts them there
+  Contour,  ///< `streaming::drawContour`: each step has a direction of its own
+};
+
+struct Form {
+  MethodKind method = MethodKind::Window;
+  bool brisk = false;
+  bool packed = false;
+  double tolerance = 0.0;
+  Path path = Path::Curve;
+};
+
+/// At least 5 mm of radius, irregular steps of 0.15 mm and more, coordinates of three digits.
+std::vector<Vec3> drawCurve(std::uint64_t seed) {
+  constexpr double kTurnPerMm = 0.1;
+  base::Random random(seed);
+  std::array<double, 3> wave{};
+  std::array<double, 3> phase{};
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    wave[i] = 10.0 + 30.0 * random.uniform();
+    phase[i] = 2.0 * std::numbers::pi * random.uniform();
+  }
+  std::vector<Vec3> points;
+  Vec3 at{};
+  double course = 0.0;
+  for (double mm = 0.0; mm < kPathMm;) {
+    points.push_back({0.001 * std::round(1000.0 * at.x), 0.001 * std::round(1000.0 * at.y),
+                      0.001 * std::round(1000.0 * at.z)});
+    const double step = kPointDistanceMm + kRestMm * random.exponential();
+    course += kTurnPerMm * step *
+              (std::sin(2.0 * std::numbers::pi * mm / wave[0] + phase[0]) +
+               std::sin(2.0 * std::numbers::pi * mm / wave[1] + phase[1]));
+    const double climb = 0.2 * std::sin(2.0 * std::numbers::pi * mm / wave[2] + phase[2]);
+    at = at + step * Vec3{std::cos(course), std::sin(course), climb};
+    mm += step;
+  }
+  return points;
+}
+
+std::shared_ptr<const gcode::Program> programOf(const Form& form, std::uint64_t seed,
+                                                const streaming::RunSettings& settings) {
+  base::Random random(seed);
+  const std::vector<Vec3> points =
+      form.path == Path::Curve
+          ? drawCurve(seed)
+          : streaming::drawContour(
+                {static_cast<std::size_t>(kPathMm / (kPointDistanceMm + kRestMm)), kPointDistanceMm,
+                 kRestMm},
+                random);
+  auto program = std::make_shared<gcode::Program>(*streaming::programOf(points));
+  if (const auto applied = gcode::applyRules(*program, streaming::moveRules(settings)); !applied) {
+    qFatal("%s", applied.error().text().c_str());
+  }
+  return program;
+}
+
+streaming::Scenario scenarioOf(const Form& form, double feedMmPerMin, std::uint64_t seed) {
+  streaming::Scenario scenario;
+  scenario.machine = *machine::loadPreset("dmu75");
+  scenario.machine.resetDynamics = form.brisk ? machine::Dynamics::Brisk : machine::Dynamics::Soft;
+  scenario.seed = seed;
+  streaming::RunSettings& settings = scenario.settings;
+  settings.parameters.method = form.method;
+  settings.parameters.packed = form.packed;
+  settings.parameters.pointsPerLoop = templates::pointsPerLoopMax(settings.parameters);
+  settings.isCommissioned = true;
+  settings.tolerance = form.tolerance;
+  settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
+  scenario.program = programOf(form, seed, settings);
+  return scenario;
+}
+
+struct Free {
+  bool isFree = true;
+  double seconds = 0.0;
+  double lengthMm = 0.0;
+  std::size_t points = 0;
+};
+
+/// Whether the run takes no longer, and no stop in it, than with a client that needs no time.
+Free look(const Form& form, double feedMmPerMin, std::uint64_t seed) {
+  streaming::Scenario scenario = scenarioOf(form, feedMmPerMin, seed);
+  const RunReport real = streaming::simulate(scenario);
+  machine::AccessCost& access = scenario.machine.access;
+  access.readOverhead = access.writeOverhead = {};
+  access.nodeTimeMean = access.nodeTimeDeviation = access.nodeTimeMin = {};
+  const RunReport ideal = streaming::simulate(scenario);
+  if (!real.isFaultless() || !ideal.isFaultless()) {
+    qFatal("%s %s", real.error.text().c_str(), ideal.error.text().c_str());
+  }
+  Free found;
+  found.isFree =
+      real.pauses.size() <= ideal.pauses.size() && real.duration <= 1.01 * ideal.duration;
+  for (std::size_t i = 0; found.isFree && i < real.pauses.size(); ++i) {
+    found.isFree =
+        real.pauses[i].duration <= ideal.pauses[i].duration + scenario.machine.interpolationCycle;
+  }
+  const auto& path = scenario.program->trajectory.points;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    found.lengthMm += base::distance(path[i - 1].positionMm, path[i].positionMm);
+  }
+  found.seconds = base::toSeconds(real.duration);
+  found.points = path.size();
+  return found;
+}
+
+struct Reach {
+  double feedMmPerMin = 0.0;  ///< largest of the ladder up to which no run waits for the client
+  double meanMmPerMin = 0.0;  ///< length over duration, there
+};
+
+Reach reachOf(const Form& form, std::uint64_t seeds) {
+  constexpr double kStepMmPerMin = 200.0;
+  constexpr double kMostMmPerMin = 10'000.0;
+  Reach reach;
+  for (double feed = 400.0; feed <= kMostMmPerMin; feed += feed < 3000.0 ? kStepMmPerMin : 1000.0) {
+    Free sum;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Free one = look(form, feed, seed);
+      if (!one.isFree) {
+        return reach;
+      }
+      sum.seconds += one.seconds;
+      sum.lengthMm += one.lengthMm;
+    }
+    reach = {feed, base::mmPerMinFromMmPerS(sum.lengthMm / sum.seconds)};
+  }
+  return reach;
+}
+
+}  // namespace
+
+class TestMergedReach : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void table() {
+    const int seeds = tests::setting("RIVULET_SEEDS", 0);
+    if (seeds == 0) {
+      QSKIP("RIVULET_SEEDS=40 makes the table of docs/reach.md");
+    }
+    for (const Path path : {Path::Curve, Path::Contour}) {
+      for (const MethodKind method : {MethodKind::Window, MethodKind::Credit}) {
+        for (const bool brisk : {false, true}) {
+          for (const double tolerance : {0.0, kToleranceMm}) {
+            for (const bool packed : {false, true}) {
+              const Form form{method, brisk, packed, tolerance, path};
+              const Reach reach = reachOf(form, static_cast<std::uint64_t>(seeds));
+              const auto before = scenarioOf({method, brisk, packed, 0.0, path}, 1000.0, 1);
+              const auto after = scenarioOf(form, 1000.0, 1);
+              qInfo("%s %s %s %s %s: free up to F %.0f, F %.0f in the mean; %zu of %zu points",
+                    path == Path::Curve ? "curve" : "contour", base::methodName(method).data(),
+                    brisk ? "BRISK" : "SOFT", packed ? "packed" : "plain",
+                    tolerance > 0.0 ? "0.005" : "exact", reach.feedMmPerMin, reach.meanMmPerMin,
+                    after.program->trajectory.points.size(),
+                    before.program->trajectory.points.size());
+            }
+          }
+        }
+      }
+    }
+  }
+};
+
+RIVULET_TEST(TestMergedReach)
+#include "tst_merged_reach.moc"
