@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
+#include "base/packing.h"
 #include "base/units.h"
 #include "machine/braking.h"
 #include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
+#include "streaming/start/stop_bound.h"
 #include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
@@ -488,6 +491,53 @@ void packSome(FaultScenario& drawn, std::uint64_t seed) {
   settings.parameters.packed = true;
 }
 
+/// Some runs have a tolerance, and points on and near their moves that fall within it.
+void mergeSome(FaultScenario& drawn, std::uint64_t seed) {
+  constexpr double kShortMm = 0.05;
+  RunSettings& settings = drawn.run.scenario.settings;
+  Random random = Random(seed).fork(37);
+  if (random.below(2) == 0) {
+    return;
+  }
+  settings.tolerance = 0.002 * std::pow(50.0, random.uniform());
+  gcode::Program program = *drawn.run.scenario.program;
+  const gcode::Trajectory coarse = std::move(program.trajectory);
+  gcode::Trajectory& dense = program.trajectory;
+  dense = {};
+  for (std::size_t i = 0; i < coarse.points.size(); ++i) {
+    const gcode::TrajectoryPoint& to = coarse.points[i];
+    const bool isLong =
+        i > 0 && base::distance(coarse.points[i - 1].positionMm, to.positionMm) > kShortMm;
+    const auto parts = isLong ? 1 + random.below(8) : 1;
+    for (std::uint64_t part = 1; part <= parts; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(parts);
+      dense.points.push_back(to);
+      if (!coarse.rotary.empty()) {
+        dense.rotary.push_back(coarse.rotary[i]);
+      }
+      if (part == parts) {
+        continue;
+      }
+      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+        const double from = coarse.points[i - 1].positionMm[axis];
+        const double at = from + share * (to.positionMm[axis] - from) +
+                          settings.tolerance * (random.uniform() - 0.5);
+        dense.points.back().positionMm.set(
+            axis, settings.parameters.packed ? base::Packing::rounded(at) : at);
+      }
+      for (std::size_t axis = 0; !coarse.rotary.empty() && axis < base::kRotaryAxisCount; ++axis) {
+        const double from = coarse.rotary[i - 1].degrees[axis];
+        dense.rotary.back().degrees[axis] = from + share * (coarse.rotary[i].degrees[axis] - from);
+      }
+    }
+  }
+  drawn.whole = dense;
+  if (!gcode::applyRules(program, moveRules(settings))) {
+    std::abort();
+  }
+  drawn.run.scenario.program = std::make_shared<const gcode::Program>(std::move(program));
+}
+
 FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& preset,
                          MethodKind method) {
   FaultScenario drawn;
@@ -509,6 +559,7 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
     settings.parameters.baseCell = random.below(3) == 0 ? static_cast<int>(random.below(40)) : 0;
     settings.parameters.slotStride = random.below(4) == 0 ? 5 : 0;
     packSome(drawn, seed);
+    mergeSome(drawn, seed);
     settings.parameters.pointsPerLoop = std::min(settings.parameters.pointsPerLoop,
                                                  templates::pointsPerLoopMax(settings.parameters));
   }

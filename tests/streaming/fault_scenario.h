@@ -21,6 +21,7 @@ namespace rivulet::streaming {
 
 struct FaultScenario {
   RandomScenario run;
+  gcode::Trajectory whole;  ///< before moves were merged, if the run has a tolerance
   LinkFaults faults;
   std::optional<base::Duration> stopAfter;  ///< of the first attempt
   std::optional<base::Duration> holdAfter;  ///< of the first attempt

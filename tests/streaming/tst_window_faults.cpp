@@ -12,6 +12,7 @@
 #include <random>
 
 #include "fault_scenario.h"
+#include "gcode/path_deviation.h"
 #include "machine/machine.h"
 #include "platform/thread_executor.h"
 #include "support/test_program.h"
@@ -138,6 +139,8 @@ struct Tally {
   std::size_t caughtUp = 0;
   std::size_t withRotary = 0;
   std::size_t packed = 0;
+  std::size_t merged = 0;
+  std::size_t leftOut = 0;  ///< points of those
 
   void add(const Tally& other) {
     runs += other.runs;
@@ -155,6 +158,8 @@ struct Tally {
     caughtUp += other.caughtUp;
     withRotary += other.withRotary;
     packed += other.packed;
+    merged += other.merged;
+    leftOut += other.leftOut;
   }
 };
 
@@ -211,6 +216,14 @@ QString examineWindow(
   const base::RotarySet& rotaryAxes = drawn.run.scenario.settings.parameters.rotaryAxes;
   tally.withRotary += base::any(rotaryAxes) ? 1 : 0;
   tally.packed += drawn.run.scenario.settings.parameters.packed ? 1 : 0;
+  if (const double tolerance = drawn.run.scenario.settings.tolerance; tolerance > 0.0) {
+    ++tally.merged;
+    tally.leftOut += drawn.whole.points.size() - points.size();
+    if (!gcode::isAlong(gcode::placesOf(drawn.whole),
+                        gcode::placesOf(drawn.run.scenario.program->trajectory), tolerance)) {
+      return QStringLiteral("the path is not that of the program within %1 mm").arg(tolerance);
+    }
+  }
   Follower follower(points, rotaryAxes);
   for (const FaultSegment& segment : evidence.segments) {
     if (segment.trace.truncated) {
@@ -327,10 +340,11 @@ void print(const char* what, const Tally& sum) {
   qInfo(
       "%s: %zu runs, %zu attempts, %zu points, %zu whole, %zu with wrong motion; %zu stopped, %zu "
       "lost, %zu windows refused, %zu resets (%zu in a rounding), %zu stray writes, %zu intruded, "
-      "%zu wrong programs, %zu with rotary axes, %zu with packed points",
+      "%zu wrong programs, %zu with rotary axes, %zu with packed points, %zu within a tolerance "
+      "(%zu points left out)",
       what, sum.runs, sum.attempts, sum.points, sum.whole, sum.wrong, sum.stopped, sum.lost,
       sum.damaged, sum.resets, sum.caughtUp, sum.strayWrites, sum.intruded, sum.refused,
-      sum.withRotary, sum.packed);
+      sum.withRotary, sum.packed, sum.merged, sum.leftOut);
 }
 
 }  // namespace
@@ -355,6 +369,7 @@ class TestWindowFaults : public QObject {
       QVERIFY(sum.stopped > 0 && sum.lost > 0 && sum.damaged > 0 && sum.resets > 0);
       QVERIFY(sum.strayWrites > 0 && sum.intruded > 0 && sum.refused > 0);
       QVERIFY(sum.withRotary > seeds.size() / 5);
+      QVERIFY(sum.merged > seeds.size() / 3 && 2 * sum.leftOut > sum.points);
     }
   }
 
