@@ -479,8 +479,7 @@ gcode::MoveRules Document::wantedMoveRules() const {
   if (m_moves.ofRun) {
     return *m_moves.ofRun;
   }
-  const gcode::MoveRules limit = streaming::moveRules(runSettings());
-  return limit.secondsMax > 0.0 ? limit : gcode::MoveRules{};
+  return streaming::moveRules(runSettings());
 }
 
 void Document::placePoints() {

@@ -369,13 +369,21 @@ PreflightItem Preflight::programItem() const {
                 .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
             tr("Reload"), ReloadProgram};
   }
-  return {program.isStreamable() ? Status::Good : Status::Fault,
-          tr("Program"),
-          tr("%1, version %2, %Ln points", nullptr, static_cast<int>(m_document.points().size()))
-              .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
-          {},
-          0,
-          true};
+  QString text =
+      tr("%1, version %2, %Ln points", nullptr, static_cast<int>(m_document.points().size()))
+          .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
+  if (const auto& merged = program.merged) {
+    text += QLatin1Char('\n') +
+            tr("Within the tolerance %1 of %2 points are left, at most %3 off the program.")
+                .arg(widgets::countText(merged->to), widgets::countText(merged->of),
+                     widgets::lengthText(merged->deviationMm, 4));
+  } else if (m_document.settings().tolerance > 0.0) {
+    text += QLatin1Char('\n') +
+            (m_document.isJob() ? tr("All points are streamed: a whole job has no tolerance.")
+                                : tr("All points are streamed: fewer cannot be kept within the "
+                                     "tolerance."));
+  }
+  return {program.isStreamable() ? Status::Good : Status::Fault, tr("Program"), text, {}, 0, true};
 }
 
 PreflightItem Preflight::readingItem() const {

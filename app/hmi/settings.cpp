@@ -170,6 +170,10 @@ Settings loadSettings() {
   }
   stream.parameters.packed = store.value(QStringLiteral("stream/packed")).toBool() &&
                              base::fillsWindows(stream.parameters.method);
+  const double tolerance = positive(store.value(QStringLiteral("stream/tolerance")), 0.0);
+  if (tolerance <= gcode::kStreamToleranceMax) {
+    stream.tolerance = tolerance;
+  }
   loadFactor(store, stream);
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.programFeeds =
@@ -207,6 +211,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
   store.setValue(QStringLiteral("stream/liftMm"), stream.parameters.liftMm);
   store.setValue(QStringLiteral("stream/packed"), stream.parameters.packed);
+  store.setValue(QStringLiteral("stream/tolerance"), stream.tolerance);
   store.setValue(QStringLiteral("stream/feed"),
                  stream.programFeeds ? QStringLiteral("program") : QString::fromLatin1(kFixedFeed));
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);

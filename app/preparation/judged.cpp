@@ -48,7 +48,7 @@ streaming::RunSettings runSettings(
       settings.feedMmPerS = wanted.overrideFactor * view->fastestMmPerS;
     }
   }
-  settings.tolerance = wanted.tolerance;
+  settings.tolerance = view != nullptr && view->isJob() ? 0.0 : wanted.tolerance;
   settings.factor = wanted.factor;
   settings.transfer =
       wanted.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;

@@ -39,6 +39,12 @@ SettingsFacts factorFacts(const streaming::StreamSettings& settings) {
   };
 }
 
+/// How the points travel. What is usual is not in a release: earlier ones do not name it.
+SettingsFacts pointFacts(const streaming::StreamSettings& settings) {
+  return {{"packed", settings.parameters.packed ? "yes" : "no"},
+          {"tolerance", base::formatFixed(settings.tolerance, 6)}};
+}
+
 void applyFactor(streaming::StreamSettings& settings, const std::string& name,
                  const std::string& value) {
   const auto number = base::parseNumber(value);
@@ -79,8 +85,9 @@ SettingsFacts settingsFacts(const streaming::StreamSettings& settings) {
                                         : "whole"},
       {"transfer_by_hand", settings.transferByHand ? "yes" : "no"},
   };
-  const SettingsFacts factor = factorFacts(settings);
-  facts.insert(facts.end(), factor.begin(), factor.end());
+  for (const SettingsFacts& group : {pointFacts(settings), factorFacts(settings)}) {
+    facts.insert(facts.end(), group.begin(), group.end());
+  }
   return facts;
 }
 
@@ -119,6 +126,11 @@ void applySettings(streaming::StreamSettings& settings, const SettingsFacts& fac
       settings.dryRunMm = isDry ? base::parseNumber(value.substr(kDry.size())).value_or(0.0) : 0.0;
     } else if (name == "feed_per_point") {
       parameters.feedPerPoint = value == "yes";
+    } else if (name == "packed") {
+      parameters.packed = value == "yes";
+    } else if (name == "tolerance" && number && *number >= 0.0 &&
+               *number <= gcode::kStreamToleranceMax) {
+      settings.tolerance = *number;
     } else if (name == "transfer_by_hand") {
       settings.transferByHand = value == "yes";
     } else {
@@ -179,8 +191,9 @@ SettingsFacts releasedFacts(const streaming::StreamSettings& settings,
   const SettingsFacts ofReading = readingFacts(reading);
   facts.insert(facts.end(), ofReading.begin(), ofReading.end());
   SettingsFacts usual = readingFacts({});
-  const SettingsFacts noFactor = factorFacts({});
-  usual.insert(usual.end(), noFactor.begin(), noFactor.end());
+  for (const SettingsFacts& group : {pointFacts({}), factorFacts({})}) {
+    usual.insert(usual.end(), group.begin(), group.end());
+  }
   std::erase_if(facts, [&usual](const auto& fact) {
     return std::find(usual.begin(), usual.end(), fact) != usual.end();
   });

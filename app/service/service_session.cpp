@@ -508,6 +508,12 @@ std::string ServiceSession::describeStart() const {
               : fmt::format("The feed is {:.0f} mm/min for all moves. ",
                             base::mmPerMinFromMmPerS(settings.feedMmPerS));
   text += factorText(settings);
+  if (view.program->merged) {
+    text += gcode::describe(*view.program->merged) + ' ';
+  } else if (m_job->settings.tolerance > 0.0) {
+    text += view.isJob() ? "All points are streamed: a whole job has no tolerance. "
+                         : "All points are streamed: fewer cannot be kept within the tolerance. ";
+  }
   if (view.isJob()) {
     text += fmt::format("The control executes {} blocks itself. ", view.outline.needed().size());
     if (m_job->settings.dryRunMm > 0.0) {

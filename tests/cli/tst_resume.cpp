@@ -313,8 +313,9 @@ class TestResume : public QObject {
     QVERIFY(merged["to"] < 100 && merged["deviation_mm"] <= 0.02 && merged["deviation_mm"] > 0.01);
     QCOMPARE(stopped["settings"]["tolerance_mm"], 0.02);
     const QString run = QString::fromStdString(stopped["saved_run"].get<std::string>());
-    QVERIFY(
-        ask(stream("t-2.rivulet", "--tolerance 0.01 --resume") + QStringList{run}, 2).is_null());
+    const json refused =
+        ask(stream("t-2.rivulet", "--tolerance 0.01 --resume") + QStringList{run}, 2);
+    QVERIFY(refused.dump().find("Leave out --tolerance") != std::string::npos);
     const json resumed = ask(stream("t-3.rivulet", "--resume") + QStringList{run}, 0);
     QVERIFY2(resumed.is_object() && resumed["outcome"] == "completed" && resumed["faultless"],
              resumed.dump(1).c_str());

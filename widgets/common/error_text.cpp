@@ -56,6 +56,10 @@ struct ErrorTexts {
         return tr(
             "The text leaves open what it means. Choose the dialect, the unit or the reading of "
             "numbers without a decimal point.");
+      case GcodeError::BadTolerance:
+        return tr(
+            "The path cannot be kept within this tolerance. Allow more of it, or none; packed "
+            "points are moved by up to 0.001 mm.");
     }
     return {};
   }

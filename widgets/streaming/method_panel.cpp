@@ -140,7 +140,13 @@ MethodPanel::MethodPanel(QWidget* parent)
                    "point of its window: a third of the accesses, so faster where the points are "
                    "dense. A control that calculates otherwise refuses the first window; nothing "
                    "moves then."),
-               .id = "packed"})},
+               .id = "packed"}),
+          .tolerance = number({.min = 0.0,
+                               .max = gcode::kStreamToleranceMax,
+                               .decimals = 4,
+                               .step = 0.001,
+                               .unit = "mm"},
+                              {.special = QT_TR_NOOP("none"), .id = "tolerance"})},
       m_rate(new QStackedWidget),
       m_form(new Form(this, m_settingsGroup, Form::Height::Touch)),
       m_figures(new Form(this, nullptr)) {
@@ -151,7 +157,7 @@ MethodPanel::MethodPanel(QWidget* parent)
   onEdit({m_job, m_fields.height}, &MethodPanel::takeJob);
   onEdit({m_method, m_layout, m_access, m_byHand, m_fields.points, m_feedSource,
           m_fields.overridePercent, m_fields.delta, m_fields.correction, m_fields.lift,
-          m_fields.feed, m_fields.packed},
+          m_fields.feed, m_fields.packed, m_fields.tolerance},
          &MethodPanel::takeSettings);
   onLanguage(&MethodPanel::showSettings, &MethodPanel::showVerdict, &MethodPanel::showPauses);
 }
@@ -179,6 +185,12 @@ void MethodPanel::buildSettings() {
   m_form->row({.text = QT_TR_NOOP("Method")}, m_method);
   m_form->row({}, m_fields.points);
   m_form->row({.text = QT_TR_NOOP("Points")}, m_fields.packed);
+  m_form->row({.text = QT_TR_NOOP("Tolerance"),
+               .tip = QT_TR_NOOP(
+                   "Straight moves that stay so near to the path take the place of many short "
+                   "ones (rotary axes: degrees). Corners, feeds and the order of the path "
+                   "stay. Not in whole jobs and live runs.")},
+              m_fields.tolerance);
   m_form->row({.text = QT_TR_NOOP("δ (point reached)")}, m_fields.delta);
   m_form->row({.text = QT_TR_NOOP("Feed")}, m_feedSource);
   // One of the two is shown. A row of a form that was hidden gets no height back (Qt 6.4).
@@ -356,6 +368,8 @@ void MethodPanel::showSettings() {
   m_fields.lift->setEnabled(m_editable && window);
   m_fields.packed->setChecked(m_settings.parameters.packed);
   m_fields.packed->setEnabled(m_editable && window);
+  m_fields.tolerance->setValue(m_settings.tolerance);
+  m_fields.tolerance->setEnabled(m_editable && !m_isLive);
   m_fields.delta->setEnabled(m_editable && usesDelta());
   m_form->setTip(m_fields.delta,
                  usesDelta()
@@ -454,6 +468,9 @@ void MethodPanel::takeSettings() {
   m_settings.parameters.liftMm = isWindow() ? m_fields.lift->value() : 0.0;
   m_settings.parameters.packed = isWindow() && m_fields.packed->isChecked();
   // The fields round; a value the operator did not touch keeps its digits.
+  if (std::abs(m_fields.tolerance->value() - m_settings.tolerance) > 5e-5) {
+    m_settings.tolerance = m_fields.tolerance->value();
+  }
   if (std::abs(m_fields.delta->value() - m_settings.deltaMm) > 5e-4) {
     m_settings.deltaMm = m_fields.delta->value();
   }

@@ -163,6 +163,7 @@ class MethodPanel final : public Page {
     NumberField* lift = nullptr;
     NumberField* height = nullptr;  ///< of a dry run
     QCheckBox* packed = nullptr;
+    NumberField* tolerance = nullptr;
   };
   Fields m_fields;
   QComboBox* m_feedSource =
