@@ -42,6 +42,38 @@ void addFactor(std::vector<std::string>& command, const streaming::RunSettings& 
   }
 }
 
+void addReading(std::vector<std::string>& command, const gcode::LoadOptions& reading) {
+  const gcode::LoadOptions asRead;
+  if (reading.dialect) {
+    command.insert(command.end(), {"--dialect", std::string(gcode::dialectName(*reading.dialect))});
+  }
+  if (reading.units) {
+    const bool inches = *reading.units == gcode::FileUnits::Inches;
+    command.insert(command.end(), {"--units", inches ? "inch" : "mm"});
+  }
+  if (reading.noPoint) {
+    command.insert(command.end(),
+                   {"--no-point", std::string(gcode::noPointName(*reading.noPoint))});
+  }
+  if (!reading.settings.empty()) {
+    command.insert(command.end(), {"--setting", gcode::textOf(reading.settings)});
+  }
+  for (const std::string& name : reading.accepted) {
+    command.insert(command.end(), {"--accept", name});
+  }
+  if (reading.centres != asRead.centres) {
+    command.insert(command.end(),
+                   {"--arc-centres", std::string(gcode::centreReadingName(reading.centres))});
+  }
+  if (reading.chordToleranceMm != asRead.chordToleranceMm) {
+    command.insert(command.end(),
+                   {"--chord-tolerance", fmt::format("{:g}", reading.chordToleranceMm)});
+  }
+  if (reading.moveRules.tolerance > 0.0) {
+    command.insert(command.end(), {"--tolerance", fmt::format("{}", reading.moveRules.tolerance)});
+  }
+}
+
 /// A command with the settings of a run that was started in the HMI.
 std::vector<std::string> commandOf(const report::SavedRun& run) {
   const templates::TemplateParameters& parameters = run.settings.parameters;
@@ -69,33 +101,7 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
         {"--feed", fmt::format("{:g}", base::mmPerMinFromMmPerS(run.settings.feedMmPerS))});
   }
   command.insert(command.end(), {"--endpoint", run.endpoint});
-  const gcode::LoadOptions asRead;
-  if (run.reading.dialect) {
-    command.insert(command.end(),
-                   {"--dialect", std::string(gcode::dialectName(*run.reading.dialect))});
-  }
-  if (run.reading.units) {
-    const bool inches = *run.reading.units == gcode::FileUnits::Inches;
-    command.insert(command.end(), {"--units", inches ? "inch" : "mm"});
-  }
-  if (run.reading.noPoint) {
-    command.insert(command.end(),
-                   {"--no-point", std::string(gcode::noPointName(*run.reading.noPoint))});
-  }
-  if (!run.reading.settings.empty()) {
-    command.insert(command.end(), {"--setting", gcode::textOf(run.reading.settings)});
-  }
-  for (const std::string& name : run.reading.accepted) {
-    command.insert(command.end(), {"--accept", name});
-  }
-  if (run.reading.centres != asRead.centres) {
-    command.insert(command.end(),
-                   {"--arc-centres", std::string(gcode::centreReadingName(run.reading.centres))});
-  }
-  if (run.reading.chordToleranceMm != asRead.chordToleranceMm) {
-    command.insert(command.end(),
-                   {"--chord-tolerance", fmt::format("{:g}", run.reading.chordToleranceMm)});
-  }
+  addReading(command, run.reading);
   if (parameters.target != templates::TemplateParameters{}.target) {
     command.insert(command.end(),
                    {"--control", std::string(templates::targetName(parameters.target))});
@@ -108,10 +114,6 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
   }
   if (parameters.packed) {
     command.emplace_back("--packed");
-  }
-  if (run.reading.moveRules.tolerance > 0.0) {
-    command.insert(command.end(),
-                   {"--tolerance", fmt::format("{:g}", run.reading.moveRules.tolerance)});
   }
   if (parameters.correctionLimitMm > 0.0) {
     command.insert(command.end(),

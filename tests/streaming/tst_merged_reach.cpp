@@ -13,7 +13,11 @@
 
 #include "base/random.h"
 #include "base/units.h"
+#include "feasibility/probability.h"
+#include "feasibility/verdict.h"
+#include "forecast/region.h"
 #include "gcode/path_deviation.h"
+#include "report/operating_point.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/start/stop_bound.h"
 #include "support/setting.h"
@@ -187,7 +191,42 @@ Reach reachOf(const Form& form, std::uint64_t seeds) {
   return reach;
 }
 
+/// By the equation, of the first path.
+double verdictMmPerMin(const Form& form) {
+  const streaming::Scenario scenario = scenarioOf(form, 1000.0, 1);
+  const auto points = gcode::streamPoints(scenario.program->trajectory, {}).points;
+  const feasibility::OperatingPoint point = report::operatingPointOf(scenario.settings);
+  const auto verdict = feasibility::judge(
+      point, feasibility::programDistances(points, point.pointsPerLoop, point.feedMmPerS), {});
+  return verdict ? base::mmPerMinFromMmPerS(verdict->feedMmPerSMax) : 0.0;
+}
+
+/// By the prediction, of the first path: up to where the machine is not expected to wait. Method
+/// window only.
+double predictedMmPerMin(const Form& form) {
+  constexpr double kStep = 1.05;
+  constexpr double kMostMmPerMin = 10'000.0;
+  const streaming::Scenario scenario = scenarioOf(form, 1000.0, 1);
+  const base::Vec3 startMm = scenario.machine.start().mm;
+  const auto points = gcode::streamPoints(scenario.program->trajectory, startMm).points;
+  double most = 0.0;
+  for (double feed = 300.0; form.method == MethodKind::Window && feed <= kMostMmPerMin;
+       feed *= kStep) {
+    feasibility::OperatingPoint point = report::operatingPointOf(scenario.settings);
+    point.feedMmPerS = base::mmPerSFromMmPerMin(feed);
+    const feasibility::Prediction prediction =
+        feasibility::predict(points, point, forecast::streamModelOf(scenario.machine), startMm);
+    if (prediction.waiting > 0.01 * prediction.duration) {
+      break;
+    }
+    most = feed;
+  }
+  return most;
+}
+
 }  // namespace
+
+Q_DECLARE_METATYPE(Form)
 
 class TestMergedReach : public QObject {
   Q_OBJECT
@@ -231,29 +270,35 @@ class TestMergedReach : public QObject {
         !look({MethodKind::Credit, true, packed, tolerance}, 10.0 * kPaperFeedMmPerMin, 1).isFree);
   }
 
-  void table() {
-    const int seeds = tests::setting("RIVULET_SEEDS", 0);
-    if (seeds == 0) {
-      QSKIP("RIVULET_SEEDS=10 makes the table of docs/reach.md");
-    }
+  /// A row of docs/reach.md each, with what the equation and the prediction say.
+  void table_data() {
+    QTest::addColumn<Form>("form");
     for (const Path path : {Path::Curve, Path::Contour}) {
       for (const MethodKind method : {MethodKind::Window, MethodKind::Credit}) {
         for (const bool brisk : {true, false}) {
           for (const double tolerance : {0.0, kToleranceMm}) {
             for (const bool packed : {false, true}) {
-              const Form form{method, brisk, packed, tolerance, path};
-              const Reach reach = reachOf(form, static_cast<std::uint64_t>(seeds));
-              const Free fast = look(form, 10.0 * kPaperFeedMmPerMin, 1);
-              qInfo("%s | %s, %s | %s%s | %zu | F %.0f, %.0f in the mean | %.1f s (%.1f s)",
-                    path == Path::Curve ? "curve" : "contour", base::methodName(method).data(),
-                    brisk ? "BRISK" : "SOFT", packed ? "packed" : "plain",
-                    tolerance > 0.0 ? ", 0.005 mm" : "", fast.points, reach.feedMmPerMin,
-                    reach.meanMmPerMin, fast.seconds, fast.secondsAlone);
+              QTest::addRow("%s | %s, %s | %s%s", path == Path::Curve ? "curve" : "contour",
+                            base::methodName(method).data(), brisk ? "BRISK" : "SOFT",
+                            packed ? "packed" : "plain", tolerance > 0.0 ? ", 0.005 mm" : "")
+                  << Form{method, brisk, packed, tolerance, path};
             }
           }
         }
       }
     }
+  }
+  void table() {
+    QFETCH(Form, form);
+    const int seeds = tests::setting("RIVULET_SEEDS", 0);
+    if (seeds == 0) {
+      QSKIP("RIVULET_SEEDS=10 makes the table of docs/reach.md");
+    }
+    const Reach reach = reachOf(form, static_cast<std::uint64_t>(seeds));
+    const Free fast = look(form, 10.0 * kPaperFeedMmPerMin, 1);
+    qInfo("%s | %zu | F %.0f | F %.0f | %.0f | %.1f (%.1f) | %.0f", QTest::currentDataTag(),
+          fast.points, reach.feedMmPerMin, verdictMmPerMin(form), reach.meanMmPerMin, fast.seconds,
+          fast.secondsAlone, predictedMmPerMin(form));
   }
 };
 
