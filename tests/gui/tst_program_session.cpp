@@ -285,6 +285,44 @@ class TestProgramSession : public QObject {
     QCOMPARE(placed->pointsOfLine({2}).size(), std::size_t{5});
   }
 
+  /// The points within the tolerance of the settings, and all of them again without it. A whole job
+  /// keeps all.
+  void movesAreMergedForTheRun() {
+    QTemporaryDir folder;
+    QByteArray text("G1 X0 Y0 Z5 F600\n");
+    for (int i = 1; i <= 400; ++i) {
+      text += "X" + QByteArray::number(0.1 * i, 'f', 3) + " Y" +
+              QByteArray::number(0.002 * i * i * 0.1, 'f', 3) + '\n';
+    }
+    write(folder.filePath("dense.mpf"), text);
+    write(folder.filePath("job.mpf"), "M3 S1000\n" + text + "M5\nM30\n");
+    hmi::MainWindow window(settings(), false);
+    window.openProgram(folder.filePath("dense.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != nullptr, kSoonMs);
+    QCOMPARE(window.program()->trajectory.points.size(), std::size_t{401});
+    streaming::StreamSettings stream;
+    stream.tolerance = 0.01;
+    window.setStreamSettings(stream);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program()->merged.has_value(), kSoonMs);
+    const gcode::MergedMoves merged = *window.program()->merged;
+    QCOMPARE(merged.of, std::size_t{401});
+    QVERIFY(merged.to < 100 && merged.deviationMm <= 0.01);
+    QCOMPARE(window.program()->trajectory.points.size(), merged.to);
+    QCOMPARE(window.program()->trajectory.points.back().line.value, 401U);
+    stream.tolerance = 0.0;
+    window.setStreamSettings(stream);
+    QTRY_COMPARE_WITH_TIMEOUT(window.program()->trajectory.points.size(), std::size_t{401},
+                              kSoonMs);
+    stream.tolerance = 0.01;
+    stream.wholeJob = true;
+    window.setStreamSettings(stream);
+    window.openProgram(folder.filePath("job.mpf"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.program()->name == "job.mpf", kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(window.program()->trajectory.points.size(), std::size_t{401},
+                              kSoonMs);
+    QVERIFY(!window.program()->merged);
+  }
+
   /// A million lines: the window answers all the while, and Cancel leaves what was there.
   void aMillionLinesNeverHoldTheWindow() {
     QTemporaryDir folder;

@@ -188,6 +188,20 @@ class TestService : public QObject {
     QVERIFY(m_scene.isWhole(before));
   }
 
+  /// How the points travel is said before they do.
+  void pointsArePackedAndMerged() {
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    QVERIFY(!service->call("LoadJob", {file(), std::string(kSettings) + ";tolerance=7"}).accepted);
+    const auto loaded =
+        service->call("LoadJob", {file(), std::string(kSettings) + ";tolerance=0.01;packed=yes"});
+    QVERIFY2(loaded.accepted, loaded.message.c_str());
+    service::Answer shown;
+    QTRY_VERIFY_WITH_TIMEOUT((shown = service->call("Preflight")).accepted, tests::kSoonMs);
+    QVERIFY2(shown.message.find(" points are streamed, at most ") != std::string::npos,
+             shown.message.c_str());
+  }
+
   /// A sensor over a real socket: its factors act, within what was agreed and shown before.
   void factorsMultiplyTheOverride() {
     const std::size_t before = m_scene.executed().size();
