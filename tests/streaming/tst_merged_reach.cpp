@@ -48,6 +48,7 @@ struct Form {
   bool packed = false;
   double tolerance = 0.0;
   Path path = Path::Curve;
+  int slower = 1;  ///< access, times as slow
 };
 
 /// At least 5 mm of radius, irregular steps of 0.15 mm and more, coordinates of three digits.
@@ -98,12 +99,15 @@ std::shared_ptr<const gcode::Program> programOf(const Form& form, std::uint64_t 
 streaming::Scenario scenarioOf(const Form& form, double feedMmPerMin, std::uint64_t seed) {
   streaming::Scenario scenario;
   scenario.machine = *machine::loadPreset("dmu75");
+  scenario.machine.access.nodeTimeMean *= form.slower;
+  scenario.machine.access.nodeTimeDeviation *= form.slower;
   scenario.machine.resetDynamics = form.brisk ? machine::Dynamics::Brisk : machine::Dynamics::Soft;
   scenario.seed = seed;
   streaming::RunSettings& settings = scenario.settings;
   settings.parameters.method = form.method;
   settings.parameters.packed = form.packed;
   settings.parameters.pointsPerLoop = templates::pointsPerLoopMax(settings.parameters);
+  settings.parameters.silenceLimitS *= form.slower;  // a window in one request is no silence
   settings.isCommissioned = true;
   settings.tolerance = form.tolerance;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
@@ -201,27 +205,35 @@ double verdictMmPerMin(const Form& form) {
   return verdict ? base::mmPerMinFromMmPerS(verdict->feedMmPerSMax) : 0.0;
 }
 
-/// By the prediction, of the first path: up to where the machine is not expected to wait. Method
-/// window only.
-double predictedMmPerMin(const Form& form) {
-  constexpr double kStep = 1.05;
+constexpr double kWaitingShare = 0.01;
+
+/// By the prediction: up to where the machine is not expected to wait. Method window only.
+double predictedMmPerMin(const Form& form, std::uint64_t seed) {
+  constexpr double kStep = 1.02;
   constexpr double kMostMmPerMin = 10'000.0;
-  const streaming::Scenario scenario = scenarioOf(form, 1000.0, 1);
+  const streaming::Scenario scenario = scenarioOf(form, 1000.0, seed);
   const base::Vec3 startMm = scenario.machine.start().mm;
   const auto points = gcode::streamPoints(scenario.program->trajectory, startMm).points;
   double most = 0.0;
-  for (double feed = 300.0; form.method == MethodKind::Window && feed <= kMostMmPerMin;
+  for (double feed = 100.0; form.method == MethodKind::Window && feed <= kMostMmPerMin;
        feed *= kStep) {
     feasibility::OperatingPoint point = report::operatingPointOf(scenario.settings);
     point.feedMmPerS = base::mmPerSFromMmPerMin(feed);
     const feasibility::Prediction prediction =
         feasibility::predict(points, point, forecast::streamModelOf(scenario.machine), startMm);
-    if (prediction.waiting > 0.01 * prediction.duration) {
+    if (base::toSeconds(prediction.waiting) >
+        kWaitingShare * base::toSeconds(prediction.duration)) {
       break;
     }
     most = feed;
   }
   return most;
+}
+
+/// Whether it does so, simulated.
+bool waits(const Form& form, double feedMmPerMin, std::uint64_t seed) {
+  const Free found = look(form, feedMmPerMin, seed);
+  return found.seconds > (1.0 + kWaitingShare) * found.secondsAlone;
 }
 
 }  // namespace
@@ -270,6 +282,28 @@ class TestMergedReach : public QObject {
         !look({MethodKind::Credit, true, packed, tolerance}, 10.0 * kPaperFeedMmPerMin, 1).isFree);
   }
 
+  /// Where the machine begins to wait is predicted for packed and merged points, too: within 10 %.
+  void theLimitIsPredicted_data() {
+    QTest::addColumn<Form>("form");
+    const auto row = [](const char* name, const Form& form) { QTest::newRow(name) << form; };
+    row("plain", {MethodKind::Window, true, false, 0.0});
+    row("merged", {MethodKind::Window, true, false, kToleranceMm});
+    row("packed", {MethodKind::Window, true, true, 0.0, Path::Curve, 5});
+    row("packed and merged", {MethodKind::Window, true, true, kToleranceMm, Path::Curve, 5});
+    row("merged contour", {MethodKind::Window, true, false, kToleranceMm, Path::Contour});
+  }
+  void theLimitIsPredicted() {
+    QFETCH(Form, form);
+    constexpr double kError = 0.1;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const double predicted = predictedMmPerMin(form, seed);
+      qInfo("predicted F %.0f", predicted);
+      QVERIFY(predicted > 0.0 && predicted < 5000.0);
+      QVERIFY(!waits(form, (1.0 - kError) * predicted, seed));
+      QVERIFY(waits(form, (1.0 + kError) * predicted, seed));
+    }
+  }
+
   /// A row of docs/reach.md each, with what the equation and the prediction say.
   void table_data() {
     QTest::addColumn<Form>("form");
@@ -298,7 +332,7 @@ class TestMergedReach : public QObject {
     const Free fast = look(form, 10.0 * kPaperFeedMmPerMin, 1);
     qInfo("%s | %zu | F %.0f | F %.0f | %.0f | %.1f (%.1f) | %.0f", QTest::currentDataTag(),
           fast.points, reach.feedMmPerMin, verdictMmPerMin(form), reach.meanMmPerMin, fast.seconds,
-          fast.secondsAlone, predictedMmPerMin(form));
+          fast.secondsAlone, predictedMmPerMin(form, 1));
   }
 };
 
