@@ -12,6 +12,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/run_settings.h"
+#include "forecast/machine_verdict.h"
 #include "forecast/path_time.h"
 #include "gcode/program.h"
 #include "machine/config.h"
@@ -22,6 +23,7 @@
 #include "streaming/control/control_axes.h"
 #include "streaming/methods/feed_plan.h"
 #include "streaming/methods/pause_placement.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::cli {
 
@@ -31,8 +33,9 @@ namespace {
 constexpr base::Vec3 kOriginMm{0.0, 0.0, 0.0};
 
 /// @param limit  with the feeds of the program: what limits the override
+/// @param waits  of the method: the machine, where the client is late
 void print(const feasibility::Verdict& verdict,
-           const std::optional<streaming::OverrideLimit>& limit) {
+           const std::optional<streaming::OverrideLimit>& limit, bool waits) {
   fmt::print("{}\n", !verdict.feasible ? "NOT feasible"
                      : verdict.waits   ? "feasible, but the machine will wait for the client"
                                        : "feasible");
@@ -46,8 +49,7 @@ void print(const feasibility::Verdict& verdict,
     }
     fmt::print("\n");
   }
-  const bool reach = verdict.limiting.equation == feasibility::Equation::Reach;
-  const char* condition = reach ? " without waiting" : "";
+  const char* condition = waits ? " without waiting" : "";
   if (limit) {
     fmt::print("  limiting: {};{} {}\n", feasibility::equationLabel(verdict.limiting.equation),
                condition, streaming::describe(*limit));
@@ -187,6 +189,7 @@ struct Question {
   streaming::RunSettings settings;
   feasibility::ProgramDistances distances;
   std::vector<gcode::StreamPoint> points;  ///< with their feeds
+  machine::MachineConfig machine;          ///< that is to run them
   std::optional<PlannedPauses> pauses;
   nlohmann::ordered_json json;
 };
@@ -224,6 +227,7 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
   const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
   question.distances = feasibility::programDistances(list.points, point.pointsPerLoop);
   question.points = list.points;
+  question.machine = *machine;
   question.json["program"] = program->name;
   question.json["points"] = list.points.size();
   if (program->merged) {
@@ -281,6 +285,9 @@ Exit feasibility(const FeasibilityOptions& options) {
   } else if (const auto read = readProgram(options, access, question); !read) {
     return reportError(read.error(), options.json);
   }
+  if (const auto fits = templates::requireProgram(question.settings.parameters); !fits) {
+    return reportError(fits.error(), options.json);
+  }
   const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
   const feasibility::ProgramDistances judged =
       question.settings.programFeeds
@@ -288,7 +295,10 @@ Exit feasibility(const FeasibilityOptions& options) {
           : question.distances;
   feasibility::SafetyFactors safety;
   safety.delta = options.deltaSafety;
-  const auto verdict = feasibility::judge(point, judged, access, safety);
+  const auto verdict =
+      question.points.empty()
+          ? feasibility::judge(point, judged, access, safety)
+          : forecast::judgeOn(question.machine, question.points, point, judged, access, safety);
   if (!verdict) {
     return reportError(verdict.error(), options.json);
   }
@@ -313,7 +323,7 @@ Exit feasibility(const FeasibilityOptions& options) {
     printJson(json);
   } else {
     print(question.distances);
-    print(*verdict, limit);
+    print(*verdict, limit, base::hasWindows(point.method));
     fmt::print("{}\n", accessSourceText(*calibrated, form, *verdict));
     if (question.pauses) {
       print(*question.pauses, options.preset);

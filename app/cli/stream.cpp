@@ -24,6 +24,7 @@
 #include "cli/run_settings.h"
 #include "cli/status_line.h"
 #include "feasibility/verdict.h"
+#include "forecast/machine_verdict.h"
 #include "gcode/block_observer.h"
 #include "gcode/error.h"
 #include "gcode/program.h"
@@ -354,6 +355,7 @@ class StreamCommand {
 
   const StreamOptions& m_options;
   gcode::Program m_program;
+  machine::MachineConfig m_machine;  ///< of the preset: what is known of the machine
   streaming::RunSettings m_settings;
   templates::FlexibleProgram m_flexible;  ///< of the settings, once the machine is known
   std::optional<CorrectionSource> m_source;
@@ -425,11 +427,12 @@ base::Result<void> StreamCommand::load() {
     m_settings.parameters.factorLeast = m_settings.parameters.factorMost = 0.0;
     m_settings.factor = {};
   }
-  const auto machine = machine::loadPreset(m_options.preset);
+  auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
     return base::fail(machine.error());
   }
-  if (base::Result<void> taken = takeFeeds(m_settings, m_options.point, *machine, m_program);
+  m_machine = *std::move(machine);
+  if (base::Result<void> taken = takeFeeds(m_settings, m_options.point, m_machine, m_program);
       !taken) {
     return taken;
   }
@@ -595,8 +598,9 @@ base::Result<void> StreamCommand::judge() {
   if (points.size() >= 2 && !base::sendsBlocks(point.method)) {
     // Fewer points per loop than two have no distances; the judge refuses them.
     const int perLoop = std::max(2, point.pointsPerLoop);
-    const auto verdict = feasibility::judge(
-        point, feasibility::programDistances(points, perLoop, point.feedMmPerS), access());
+    const auto verdict = forecast::judgeOn(
+        m_machine, points, point, feasibility::programDistances(points, perLoop, point.feedMmPerS),
+        access());
     if (!verdict) {
       return base::fail(verdict.error());
     }

@@ -610,6 +610,9 @@ void Document::takeRehearsal(const std::shared_ptr<const session::RehearsalOutco
     return;
   }
   m_findings.rehearsal = outcome;
+  if (outcome->verdict) {
+    m_findings.verdict = outcome->verdict;
+  }
   m_findings.rehearsed =
       outcome->runs == 0
           ? std::nullopt

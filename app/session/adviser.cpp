@@ -85,7 +85,10 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
   if (outcome.error.code || outcome.runs == 0) {
     return std::nullopt;
   }
-  return outcome.hasFailed() ? outcome.safeFeedMmPerS : feedMmPerSMax;
+  if (outcome.hasFailed()) {
+    return outcome.safeFeedMmPerS;
+  }
+  return outcome.verdict ? std::min(feedMmPerSMax, outcome.verdict->feedMmPerSMax) : feedMmPerSMax;
 }
 
 }  // namespace

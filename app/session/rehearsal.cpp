@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 
+#include "forecast/machine_verdict.h"
 #include "forecast/region.h"
 #include "report/known_machine.h"
+#include "report/operating_point.h"
 #include "session/background.h"
 
 namespace rivulet::session {
@@ -27,28 +29,24 @@ class SameThread final : public base::Executor {
   }
 };
 
-/// The virtual machine with the measured cost of access. The scatter keeps its proportion.
-void charge(machine::AccessCost& cost, const feasibility::MeasuredAccess& measured) {
-  const double before = static_cast<double>(std::max<std::int64_t>(1, cost.nodeTimeMean.count()));
-  cost.readOverhead = measured.read.overhead;
-  cost.writeOverhead = measured.write.overhead;
-  cost.nodeTimeMean = std::max(measured.read.perNode, measured.write.perNode);
-  const double scale = static_cast<double>(cost.nodeTimeMean.count()) / before;
-  const auto scaled = [scale](base::Duration duration) {
-    return base::Duration(
-        static_cast<base::Duration::rep>(static_cast<double>(duration.count()) * scale));
-  };
-  cost.nodeTimeDeviation = scaled(cost.nodeTimeDeviation);
-  cost.nodeTimeMin = scaled(cost.nodeTimeMin);
-}
-
 }  // namespace
 
 RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop) {
   RehearsalOutcome outcome;
   machine::MachineConfig machine = job.machine ? *job.machine : report::configOf(nullptr);
+  if (base::isPublished(job.settings.parameters.method)) {
+    const feasibility::OperatingPoint point = report::operatingPointOf(job.settings);
+    feasibility::AccessModel access;
+    access.measured = job.access;
+    const auto verdict = forecast::judgeOn(
+        machine, job.points, point,
+        feasibility::programDistances(job.points, point.pointsPerLoop, point.feedMmPerS), access);
+    if (verdict) {
+      outcome.verdict = *verdict;
+    }
+  }
   if (job.access) {
-    charge(machine.access, *job.access);
+    forecast::charge(machine.access, *job.access);
   }
   forecast::RegionRequest request;
   request.points = forecast::stretchOf(job.points, job.tightest, kRehearsedPointsMax);

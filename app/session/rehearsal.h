@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "feasibility/access_model.h"
+#include "feasibility/verdict.h"
 #include "gcode/trajectory.h"
 #include "machine/config.h"
 #include "streaming/run/run.h"
@@ -40,6 +41,8 @@ struct RehearsalOutcome {
   bool isWhole = false;     ///< all points of the program
   /// If runs were faulty: a feed at which none did, mm/s; nothing: none was found.
   std::optional<double> safeFeedMmPerS;
+  /// Methods of [P1]: the verdict on the machine, stricter than that of the equations.
+  std::optional<feasibility::Verdict> verdict;
   base::Error error;  ///< a run could not be simulated; code clear otherwise
 
   [[nodiscard]] bool hasFailed() const { return faulty > 0; }

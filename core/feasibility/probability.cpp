@@ -36,18 +36,12 @@ Prediction predict(const std::vector<gcode::StreamPoint>& points,
                  points.front().positionMm + base::Vec3{0.0, 0.0, aboveMm});
 }
 
-double feedMmPerSAt(double probability, const std::vector<gcode::StreamPoint>& points,
-                    const OperatingPoint& operatingPoint, const StreamModel& model,
-                    double feedMmPerSMin, double feedMmPerSMax) {
+double largestFeedMmPerS(const std::function<bool(double)>& isTooFast, double feedMmPerSMin,
+                         double feedMmPerSMax) {
   RIVULET_ASSERT(feedMmPerSMin > 0.0);
   RIVULET_ASSERT(feedMmPerSMax > feedMmPerSMin);
   constexpr double kStride = 1.5;
   constexpr double kAccuracy = 1.01;
-  const auto isTooFast = [&](double feedMmPerS) {
-    OperatingPoint at = operatingPoint;
-    at.feedMmPerS = feedMmPerS;
-    return predict(points, at, model).failureProbability > probability;
-  };
   if (isTooFast(feedMmPerSMin)) {
     return 0.0;
   }
@@ -69,6 +63,17 @@ double feedMmPerSAt(double probability, const std::vector<gcode::StreamPoint>& p
     (isTooFast(middle) ? fast : fine) = middle;
   }
   return fine;
+}
+
+double feedMmPerSAt(double probability, const std::vector<gcode::StreamPoint>& points,
+                    const OperatingPoint& operatingPoint, const StreamModel& model,
+                    double feedMmPerSMin, double feedMmPerSMax) {
+  const auto isTooFast = [&](double feedMmPerS) {
+    OperatingPoint at = operatingPoint;
+    at.feedMmPerS = feedMmPerS;
+    return predict(points, at, model).failureProbability > probability;
+  };
+  return largestFeedMmPerS(isTooFast, feedMmPerSMin, feedMmPerSMax);
 }
 
 }  // namespace rivulet::feasibility

@@ -30,6 +30,7 @@
 /// tends to be too low. @threadsafety pure.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/instant.h"
@@ -69,6 +70,13 @@ struct Prediction {
 /// As above; the tool stands 1 mm + 2·δ above the first point, out of reach of δ.
 [[nodiscard]] Prediction predict(const std::vector<gcode::StreamPoint>& points,
                                  const OperatingPoint& operatingPoint, const StreamModel& model);
+
+/// The largest feed that is not too fast, within 1 %, counted from the slowest: what comes above
+/// the first that is too fast does not count. @param feedMmPerSMin  0 is returned if already this
+/// one is
+/// @param feedMmPerSMax  returned if even this one is not
+[[nodiscard]] double largestFeedMmPerS(const std::function<bool(double feedMmPerS)>& isTooFast,
+                                       double feedMmPerSMin, double feedMmPerSMax);
 
 /// The largest feed up to which the probability stays at or below `probability`, within 1 %.
 /// @param feedMmPerSMin  0 is returned if already this feed is too fast (a δ larger than the steps

@@ -56,6 +56,8 @@ std::string_view equationLabel(Equation equation) {
       return "(3)";
     case Equation::Reach:
       return "reach";
+    case Equation::Machine:
+      return "machine";
     case Equation::RealWindow:
       break;
   }
@@ -104,6 +106,9 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
                              ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
                              : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
                          safety.window, operatingPoint.cellsPerPoint, operatingPoint.cellsOfFirst);
+    case Equation::Machine:
+      RIVULET_ASSERT(false);  // has none of its own
+      break;
     case Equation::RealWindow:
       break;
   }

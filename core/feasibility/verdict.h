@@ -35,9 +35,10 @@ enum class Equation {
   Window,         ///< (3) of [P1], with ⌊N/2⌋·d_min
   RealWindow,     ///< (3) with the program's real d_min^N
   Reach,          ///< method window: a window is delivered in the time of executing another
+  Machine,        ///< no equation: what a machine would do, see `forecast::judgeOn`
 };
 
-/// "(1)", "(2)", "(3)", "(3) with d_min^N", "reach".
+/// "(1)", "(2)", "(3)", "(3) with d_min^N", "reach", "machine".
 [[nodiscard]] std::string_view equationLabel(Equation equation);
 
 struct OperatingPoint {

@@ -13,6 +13,7 @@
 #include "papers/equations.h"
 #include "papers/methods.h"
 #include "papers/stream_experiments.h"
+#include "papers/verdict_draws.h"
 #include "papers/wrong_machines.h"
 
 namespace rivulet::papers {
@@ -45,11 +46,17 @@ Result<Experiment> equations(const ExperimentOptions& options) {
 }
 
 constexpr std::array kEntries{
-    Entry{"table1", runTable1, runTable1On},         Entry{"figure2", runFigure2, runFigure2On},
-    Entry{"subscription", runSubscription, nullptr}, Entry{"figure3", runFigure3, nullptr},
-    Entry{"figure4", runFigure4, nullptr, true},     Entry{"method2", runMethod2, nullptr},
-    Entry{"delta", runDelta, nullptr, true},         Entry{"equations", equations, nullptr, true},
-    Entry{"methods", runMethods, nullptr, true},     Entry{"wrong", runWrongMachines, nullptr},
+    Entry{"table1", runTable1, runTable1On},
+    Entry{"figure2", runFigure2, runFigure2On},
+    Entry{"subscription", runSubscription, nullptr},
+    Entry{"figure3", runFigure3, nullptr},
+    Entry{"figure4", runFigure4, nullptr, true},
+    Entry{"method2", runMethod2, nullptr},
+    Entry{"delta", runDelta, nullptr, true},
+    Entry{"equations", equations, nullptr, true},
+    Entry{"methods", runMethods, nullptr, true},
+    Entry{"verdict", runVerdictDraws, nullptr, true},
+    Entry{"wrong", runWrongMachines, nullptr},
 };
 
 Result<Entry> find(const std::string& name) {

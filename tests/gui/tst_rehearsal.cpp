@@ -69,6 +69,7 @@ class TestRehearsal : public QObject {
         feasibility::judge(point, feasibility::programDistances(job.points, 7), {});
     QVERIFY(verdict && verdict->feasible);
     const RehearsalOutcome outcome = outcomeOf(job);
+    QVERIFY(outcome.verdict && !outcome.verdict->feasible);
     QCOMPARE(outcome.faulty, outcome.runs);
     QVERIFY(outcome.runs > 0);
     // Method window executes no point twice, whatever it costs.

@@ -279,6 +279,8 @@ void FeasibilityPage::showLegend() {
       case Equation::Reach:
         text = tr("reach: the client keeps up");
         break;
+      case Equation::Machine:
+        break;  // has no border
     }
     entries.push_back({LegendEntry::Symbol::Line,
                        QPen(colors.equations[static_cast<std::size_t>(border.equation)],

@@ -49,6 +49,8 @@ QString shortLabel(Equation equation) {
       return QStringLiteral("(3ᴺ)");
     case Equation::Reach:
       return RegionChart::tr("reach");
+    case Equation::Machine:
+      break;  // has no border
   }
   return {};
 }

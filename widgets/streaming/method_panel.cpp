@@ -502,6 +502,8 @@ QString MethodPanel::equationText(feasibility::Equation equation) const {
           "used it up.");
     case feasibility::Equation::Reach:
       return tr("Reach: the next window must be written while the tool executes the current one.");
+    case feasibility::Equation::Machine:
+      return tr("Machine: requests and motion of this machine, followed through the program.");
   }
   return {};
 }
