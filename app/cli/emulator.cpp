@@ -43,9 +43,12 @@ ordered_json axisJson(const emulator::LearnedAxis& axis) {
                     {"held_out_rms_mm", axis.heldOutRmsMm}};
   for (const emulator::ParameterEstimate& estimate : axis.estimates) {
     const emulator::AxisParameterFacts& facts = emulator::factsOf(estimate.parameter);
+    const auto bound = [&estimate](double value) {
+      return estimate.hasInterval() ? ordered_json(value) : ordered_json();
+    };
     json["parameters"][std::string(facts.key)] = {{"value", estimate.value},
-                                                  {"low", estimate.low},
-                                                  {"high", estimate.high},
+                                                  {"low", bound(estimate.low)},
+                                                  {"high", bound(estimate.high)},
                                                   {"unit", std::string(facts.unit)}};
   }
   return json;
@@ -56,8 +59,13 @@ void printAxis(const emulator::LearnedAxis& axis) {
              1e3 * axis.fitRmsMm, 1e3 * axis.heldOutRmsMm);
   for (const emulator::ParameterEstimate& estimate : axis.estimates) {
     const emulator::AxisParameterFacts& facts = emulator::factsOf(estimate.parameter);
-    fmt::print("  {:18} {:>10.5g} {:6} [{:.5g}, {:.5g}]  {}\n", facts.key, estimate.value,
-               facts.unit, estimate.low, estimate.high, facts.meaning);
+    fmt::print("  {:18} {:>10.5g} {:6} {}  {}\n", facts.key, estimate.value, facts.unit,
+               estimate.hasInterval() ? fmt::format("[{:.5g}, {:.5g}]", estimate.low, estimate.high)
+                                      : std::string("no interval"),
+               facts.meaning);
+  }
+  if (std::ranges::none_of(axis.estimates, &emulator::ParameterEstimate::hasInterval)) {
+    fmt::print("  No intervals: {}\n", emulator::kNoIntervals);
   }
 }
 

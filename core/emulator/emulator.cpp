@@ -373,6 +373,10 @@ std::string printEmulator(const Emulator& emulator) {
                           facts.unit.empty() ? "" : fmt::format(", {}", facts.unit), facts.key,
                           estimate.value);
     }
+    if (std::ranges::none_of(axis.estimates, &ParameterEstimate::hasInterval)) {
+      text += fmt::format("# No intervals: {}\n", kNoIntervals);
+      continue;
+    }
     text += fmt::format("[axes.{}.servo.interval]\n", axis.axis);
     for (const ParameterEstimate& estimate : axis.estimates) {
       text += fmt::format("{} = [{:.12e}, {:.12e}]\n", factsOf(estimate.parameter).key,

@@ -615,6 +615,30 @@ Eigen::VectorXd standardErrors(const Eigen::MatrixXd& jacobian, const Eigen::Vec
   return robust.cwiseMax(classical).cwiseMax(0.0).cwiseSqrt().cwiseQuotient(scale);
 }
 
+/// The calculation itself leaves up to this: a fiftieth of a micrometre.
+constexpr double kResolvedMm = 2e-5;
+
+/// Ljung and Box's test: neighbours of chance have nothing in common.
+bool isChance(const Eigen::VectorXd& errors) {
+  constexpr Eigen::Index kLags = 20;
+  constexpr double kMost = 45.31;  // of chi squared with 20 degrees, exceeded by 0.1 %
+  const Eigen::Index count = errors.size();
+  if (errors.norm() <= kResolvedMm * std::sqrt(static_cast<double>(count))) {
+    return true;
+  }
+  if (count <= 2 * kLags) {
+    return false;  // too few to tell
+  }
+  const Eigen::VectorXd centred = errors.array() - errors.mean();
+  double sum = 0.0;
+  for (Eigen::Index lag = 1; lag <= kLags; ++lag) {
+    const double share =
+        centred.tail(count - lag).dot(centred.head(count - lag)) / centred.squaredNorm();
+    sum += share * share / static_cast<double>(count - lag);
+  }
+  return static_cast<double>(count) * static_cast<double>(count + 2) * sum <= kMost;
+}
+
 std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd& x,
                                            double confidence) {
   Eigen::VectorXd errors;
@@ -625,6 +649,7 @@ std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd
   const double quantile =
       normalQuantileAbove(0.5 * (1.0 - confidence) / static_cast<double>(x.size()));
   const AxisParameters parameters = fit.parametersAt(x);
+  const bool hasIntervals = isChance(errors);
   std::vector<ParameterEstimate> estimates;
   for (std::size_t i = 0; i < fit.parts().size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -632,6 +657,10 @@ std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd
     const double share = 1.0 / (1.0 + std::exp(-x[row]));
     const double perX = share * (1.0 - share) * std::log(facts.max / facts.min);
     const double value = parameters[facts.parameter];
+    if (!hasIntervals) {
+      estimates.push_back({facts.parameter, value, value, value});
+      continue;
+    }
     // What has no effect on the errors is not known.
     const double reach =
         jacobian.col(row).norm() > 0.0 ? std::min(quantile * deviation[row] * perX, 50.0) : 50.0;

@@ -9,8 +9,10 @@
 /// How it works. From each run stretches of a second are taken: those with most changes of speed,
 /// and others evenly spaced. Every third one is held out. Each structure is fitted to the others;
 /// the one with the least held-out error is kept, or a simpler one that is as good. It is then
-/// fitted to all runs as a whole. Where set points are more than 1 ms apart, it is tried too
-/// whether the machine goes straight between them. @threadsafety pure functions.
+/// fitted to all runs as a whole. If what is left of the positions then is not chance (Ljung and
+/// Box's test of its neighbours, 0.1 %), no structure in the list is that of the axis, and its
+/// parameters have no intervals. Where set points are more than 1 ms apart, it is tried too whether
+/// the machine goes straight between them. @threadsafety pure functions.
 #pragma once
 
 #include <functional>
@@ -31,7 +33,17 @@ struct ParameterEstimate {
   double value = 0.0;
   double low = 0.0;  ///< of the simultaneous interval, see LearnOptions::confidence
   double high = 0.0;
+
+  /// There is none where what the model leaves is not chance: then the axis has another structure,
+  /// and its parameters may be far from these.
+  [[nodiscard]] bool hasInterval() const { return high > low; }
 };
+
+/// Why an axis has no intervals, after a colon.
+inline constexpr const char* kNoIntervals =
+    "what the model leaves is not chance, so the axis has another structure, and its parameters "
+    "may "
+    "be far from these.";
 
 /// How large the deviations of an axis in good order are: see monitor.h.
 struct ResidualPeaks {

@@ -121,10 +121,11 @@ Table parameterTable(const Emulator& emulator) {
   for (const emulator::LearnedAxis& axis : emulator.axes) {
     for (const emulator::ParameterEstimate& estimate : axis.estimates) {
       const emulator::AxisParameterFacts& facts = emulator::factsOf(estimate.parameter);
-      table.rows.push_back({std::string(1, axis.axis), std::string(facts.key),
-                            fmt::format("{:.5g}", estimate.value),
-                            fmt::format("{:.5g} to {:.5g}", estimate.low, estimate.high),
-                            std::string(facts.unit), std::string(facts.meaning)});
+      table.rows.push_back(
+          {std::string(1, axis.axis), std::string(facts.key), fmt::format("{:.5g}", estimate.value),
+           estimate.hasInterval() ? fmt::format("{:.5g} to {:.5g}", estimate.low, estimate.high)
+                                  : std::string("none"),
+           std::string(facts.unit), std::string(facts.meaning)});
     }
   }
   return table;

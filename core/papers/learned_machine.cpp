@@ -158,7 +158,9 @@ void compareAxis(Table& table, const std::string& machine, const AxisParameters&
     table.rows.push_back({machine, std::string(1, learned.axis), std::string(facts.key),
                           fmt::format("{:.5g}", isTrue),
                           isLearned ? fmt::format("{:.5g}", found->value) : "",
-                          isLearned ? fmt::format("{:.5g} to {:.5g}", found->low, found->high) : "",
+                          isLearned && found->hasInterval()
+                              ? fmt::format("{:.5g} to {:.5g}", found->low, found->high)
+                              : "",
                           std::string(facts.unit)});
     worstShare = std::max(worstShare,
                           isLearned && isTrue > 0.0 ? std::abs(found->value / isTrue - 1.0) : 1.0);

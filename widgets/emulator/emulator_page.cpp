@@ -185,6 +185,9 @@ QWidget* EmulatorPage::makeParameters() {
        {[] { return tr("Interval"); },
         [](const ParameterRow& row) {
           const emulator::ParameterEstimate& estimate = row.estimate;
+          if (!estimate.hasInterval()) {
+            return tr("none: what the model leaves is not chance");
+          }
           return tr("%1 to %2")
               .arg(parameterText(estimate.parameter, estimate.low),
                    parameterText(estimate.parameter, estimate.high));
