@@ -387,7 +387,7 @@ struct ExperimentCommandOptions {
   std::string json;
   std::string csv;
   std::string plot;
-  std::string report;  ///< folder for fidelity.md and emulator-p2.md
+  std::string report;  ///< folder for experiments.html, fidelity.md and emulator-p2.md
   std::string shard;   ///< "2/8": only this part of one experiment; empty: all
   std::string part;    ///< file for it
 };

@@ -22,6 +22,7 @@
 #include "papers/design_study.h"
 #include "papers/emulation.h"
 #include "papers/lookahead.h"
+#include "papers/parallel_cnc.h"
 #include "papers/published_emulator.h"
 #include "papers/tampering.h"
 #include "platform/interrupt.h"
@@ -117,8 +118,63 @@ base::Result<void> writePage(const fs::path& folder, const std::string& name, st
   return base::writeFile(folder / (name + ".md"), text);
 }
 
+/// Of the file of a preset; empty for one that comes with Rivulet. @return the error of the file
+base::Result<std::string> presetHashOf(const std::string& preset) {
+  if (!fs::exists(preset)) {
+    return std::string();
+  }
+  const auto text = base::readFile(preset, memoryBudget());
+  return text ? base::Result<std::string>(base::sha256Hex(*text)) : base::fail(text.error());
+}
+
+/// Of all files, each with its name. @return "" if there are none
+std::string hashOf(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->is_regular_file(error)) {
+      files.push_back(at->path());
+    }
+  }
+  std::ranges::sort(files);
+  std::string text;
+  for (const fs::path& file : files) {
+    const auto content = base::readFile(file, memoryBudget());
+    text += fmt::format("{} {}\n", content ? base::sha256Hex(*content) : "unreadable",
+                        fs::relative(file, folder, error).generic_string());
+  }
+  return text.empty() ? text : base::sha256Hex(text);
+}
+
+report::ReportFacts factsOf(const ExperimentCommandOptions& options) {
+  report::ReportFacts facts{
+      {"Rivulet", RIVULET_VERSION},
+      {"virtual machine", options.preset},
+      {"runs per point (--seeds)",
+       options.seeds > 0 ? std::to_string(options.seeds) : std::string("the usual numbers")}};
+  if (const auto hash = presetHashOf(options.preset); hash && !hash->empty()) {
+    facts.emplace_back("SHA-256 of the machine's file", *hash);
+  }
+  if (!options.recordings.empty()) {
+    facts.emplace_back("SHA-256 of the recordings", hashOf(options.recordings));
+  }
+  return facts;
+}
+
 /// The emulator of [P2] has a page of its own: it says nothing of the virtual machine.
-base::Result<void> writeReport(const fs::path& folder, std::vector<papers::Experiment> results) {
+base::Result<void> writeReport(const ExperimentCommandOptions& options,
+                               std::vector<papers::Experiment> results) {
+  const fs::path folder = options.report;
+  std::error_code ignored;  // what cannot be made is said by the page
+  fs::create_directories(folder, ignored);
+  if (auto done = base::writeFile(folder / "experiments.html",
+                                  report::experimentPage(results, factsOf(options)));
+      !done) {
+    return done;
+  }
+  std::erase_if(results,
+                [](const papers::Experiment& result) { return result.name == "figure13"; });
   const auto emulator =
       std::stable_partition(results.begin(), results.end(),
                             [](const papers::Experiment& result) { return result.name != "p2"; });
@@ -139,6 +195,9 @@ base::Result<papers::Experiment> run(const std::string& name,
                                      Connection* connection) {
   if (name == "lookahead") {
     return papers::runLookahead(options.recordings);
+  }
+  if (name == "figure13") {
+    return papers::parallelCncExperiment();
   }
   if (name == "emulator") {
     return papers::runEmulation(options.recordings,
@@ -205,7 +264,7 @@ Exit finish(const std::vector<papers::Experiment>& results,
        {write(options.json,
               json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"),
         write(options.csv, csv),
-        options.report.empty() ? base::Result<void>{} : writeReport(options.report, results)}) {
+        options.report.empty() ? base::Result<void>{} : writeReport(options, results)}) {
     if (!done) {
       return reportError(done.error(), false);
     }
@@ -224,15 +283,6 @@ base::Result<base::Share> shareOf(const std::string& text) {
                       fmt::format("\"{}\" is no part. Write 2/8 for the second of eight.", text));
   }
   return base::Share{static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
-}
-
-/// Of the file of a preset; empty for one that comes with Rivulet. @return the error of the file
-base::Result<std::string> presetHashOf(const std::string& preset) {
-  if (!fs::exists(preset)) {
-    return std::string();
-  }
-  const auto text = base::readFile(preset, memoryBudget());
-  return text ? base::Result<std::string>(base::sha256Hex(*text)) : base::fail(text.error());
 }
 
 Exit experimentPart(const ExperimentCommandOptions& options,
@@ -346,12 +396,18 @@ base::Result<papers::Experiment> runMerged(report::SweepPart part, unsigned thre
 }  // namespace
 
 Exit experiment(const ExperimentCommandOptions& options) {
-  std::vector<std::string> names = options.names;
-  if (names == std::vector<std::string>{"all"}) {
-    names = papers::experimentNames();
+  std::vector<std::string> names;
+  for (const std::string& name : options.names) {
+    if (name != "all") {
+      names.push_back(name);
+      continue;
+    }
+    const std::vector<std::string> all = papers::experimentNames();
+    names.insert(names.end(), all.begin(), all.end());
     if (!options.recordings.empty()) {
       names.emplace_back("lookahead");
     }
+    names.emplace_back("figure13");
   }
   const auto machine = machine::loadPreset(options.preset);
   if (!machine) {

@@ -1043,7 +1043,7 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
       "experiment", "Repeat the experiments of the paper and compare the figures");
   std::vector<std::string> experiments = rivulet::papers::experimentNames();
   experiments.insert(experiments.end(),
-                     {"lookahead", "emulator", "monitor", "design", "p2", "all"});
+                     {"lookahead", "emulator", "monitor", "design", "p2", "figure13", "all"});
   command->add_option("NAME", options->names, "Experiments, or all")
       ->required()
       ->check(CLI::IsMember(experiments));

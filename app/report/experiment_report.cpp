@@ -8,6 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/sha256.h"
+#include "report/markup.h"
+#include "report/svg_plot.h"
 
 namespace rivulet::report {
 
@@ -174,6 +179,48 @@ std::string csvLine(const std::vector<std::string>& cells) {
   return text + "\n";
 }
 
+std::string htmlTable(const Table& table) {
+  std::string text = "<div class=\"wide\"><table>\n";
+  const auto line = [&](const std::vector<std::string>& cells, const char* tag) {
+    text += "<tr>";
+    for (const std::string& cell : cells) {
+      text +=
+          fmt::format("<{0}{1}>{2}</{0}>", tag,
+                      cell.starts_with("OUTSIDE") ? " class=\"outside\"" : "", markupText(cell));
+    }
+    text += "</tr>\n";
+  };
+  line(table.columns, "th");
+  for (const auto& row : table.rows) {
+    line(row, "td");
+  }
+  return text + "</table></div>\n";
+}
+
+std::string htmlSection(const Experiment& experiment) {
+  std::string text = fmt::format("<section id=\"{0}\"><h2>{0}: {1}</h2>\n<p>{2}</p>\n{3}",
+                                 experiment.name, markupText(experiment.title),
+                                 markupText(experiment.setup), htmlTable(checkTable(experiment)));
+  for (const Table& table : experiment.tables) {
+    text += fmt::format("<h3>{}</h3>\n{}", markupText(table.title), htmlTable(table));
+  }
+  for (const Plot& plot : experiment.plots) {
+    const std::string svg = svgPlot(plot);
+    text += "<figure>" + svg.substr(std::min(svg.find("<svg"), svg.size())) + "</figure>\n";
+  }
+  for (const std::string& note : experiment.notes) {
+    text += fmt::format("<p>{}</p>\n", markupText(note));
+  }
+  return text + "</section>\n";
+}
+
+constexpr std::string_view kPageStyle =
+    "body{font:16px/1.45 sans-serif;max-width:75em;margin:2em auto;padding:0 1em;color:#1b1f24;"
+    "background:#fff}table{border-collapse:collapse;font-size:14px}th,td{border:1px solid #c5ccd3;"
+    "padding:.25em .6em;text-align:left;vertical-align:top}th{background:#eef1f4}"
+    ".wide{overflow-x:auto}.outside{background:#fbe3df;font-weight:bold}"
+    "figure{margin:1em 0}svg{max-width:100%;height:auto}";
+
 ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
@@ -274,6 +321,37 @@ std::string experimentMarkdown(const Experiment& experiment,
     text += "\n" + note + "\n";
   }
   return text;
+}
+
+std::string experimentPage(const std::vector<Experiment>& experiments, const ReportFacts& facts) {
+  ordered_json figures = ordered_json::array();
+  Table overview{"", {"experiment", "what", "checks passed"}, {}};
+  std::string sections;
+  for (const Experiment& experiment : experiments) {
+    figures.push_back(experimentJson(experiment));
+    overview.rows.push_back(
+        {experiment.name, experiment.title,
+         fmt::format("{} of {}", std::ranges::count_if(experiment.checks, &Check::passed),
+                     experiment.checks.size())});
+    sections += htmlSection(experiment);
+  }
+  Table made{"", {"made with", ""}, {}};
+  for (const auto& [name, value] : facts) {
+    made.rows.push_back({name, value});
+  }
+  made.rows.push_back(
+      {"SHA-256 of all figures",
+       base::sha256Hex(figures.dump(-1, ' ', false, ordered_json::error_handler_t::replace))});
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
+      "charset=\"utf-8\"><title>Experiments</title>\n"
+      "<style>{}</style></head><body>\n<h1>The papers' figures beside ours</h1>\n"
+      "<p>The mark says how a figure of ours came about: <i>input</i> (the machine or the run was "
+      "given it), <i>fitted</i> (free numbers of the machine were chosen by it), <i>by "
+      "construction</i> (it follows from how program and machine are built), <i>predicted</i> "
+      "(nothing was chosen by it). A null model is a machine or model without what is shown. "
+      "OUTSIDE is a result, too.</p>\n{}{}{}</body></html>\n",
+      kPageStyle, htmlTable(made), htmlTable(overview), sections);
 }
 
 }  // namespace rivulet::report

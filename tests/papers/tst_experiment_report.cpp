@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <QRegularExpression>
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,37 @@ class TestExperimentReport : public QObject {
     QVERIFY(
         text.contains(u"| 3.5 ms | 3 to 5 | fitted | [P1] Table I | ok; the null model passes |"));
     QVERIFY(text.contains(u"| 2 | 0 to 1 |  | none | OUTSIDE |"));
+  }
+
+  /// One file: nothing is loaded from elsewhere, and a changed figure changes the page's hash.
+  void pageNeedsNoOtherFile() {
+    Experiment experiment = sample();
+    experiment.checks[0].mark = papers::Mark::Predicted;
+    const auto pageOf = [](const Experiment& one) {
+      return QString::fromStdString(
+          report::experimentPage({one, one}, {{"Rivulet", "0.1"}, {"machine", "<mine> & \"x\""}}));
+    };
+    const QString page = pageOf(experiment);
+    QVERIFY(page.contains(u"A title with &lt;angles&gt; &amp; more"));
+    QVERIFY(page.contains(u"&lt;mine&gt; &amp;"));
+    QVERIFY(page.contains(u"<td>predicted</td>"));
+    QVERIFY(page.contains(u"<td class=\"outside\">OUTSIDE</td>"));
+    QVERIFY(page.contains(u"<td>1 of 2</td>"));
+    QCOMPARE(page.count(QStringLiteral("<svg")), 2);
+    for (const char* link : {"src=", "href=", "url(", "@import", "<script", "<?xml"}) {
+      QVERIFY2(!page.contains(QLatin1String(link)), link);
+    }
+    QXmlStreamReader body(
+        page.mid(page.indexOf(QStringLiteral("<body>"))).remove(QStringLiteral("</html>")));
+    while (!body.atEnd()) {
+      body.readNext();
+    }
+    QVERIFY2(!body.hasError(), qPrintable(body.errorString()));
+    const QRegularExpression hash(QStringLiteral("all figures</td><td>([0-9a-f]{64})<"));
+    const QString before = hash.match(page).captured(1);
+    QCOMPARE(before.size(), 64);
+    experiment.checks[0].ours = 4.2000001;
+    QVERIFY(hash.match(pageOf(experiment)).captured(1) != before);
   }
 
   void svgIsWellFormedAndTheSameEachTime() {
