@@ -42,7 +42,8 @@ class Judged {
 
   [[nodiscard]] bool goesWrongAt(double feedMmPerS) const {
     return std::ranges::any_of(m_models, [&](const feasibility::StreamModel& model) {
-      return at(feedMmPerS * kFeedReserve, model).failureProbability > m_failuresMax;
+      return at(feedMmPerS, model).failureProbability > m_failuresMax ||
+             at(feedMmPerS * kFeedReserve, model).failureProbability > m_failuresMax;
     });
   }
   [[nodiscard]] bool waitsAt(double feedMmPerS) const {
@@ -107,6 +108,17 @@ base::Result<feasibility::Verdict> judgeOn(const machine::MachineConfig& machine
     largestMmPerS = feasibility::largestFeedMmPerS(
         [&judged](double feedMmPerS) { return judged.goesWrongAt(feedMmPerS); },
         kSlowest * largestMmPerS, largestMmPerS);
+    // The probability can rise and fall again over the feed: the search may have passed over the
+    // very feed that is asked for.
+    const double askedMmPerS = operatingPoint.feedMmPerS;
+    if (askedMmPerS < largestMmPerS && judged.goesWrongAt(askedMmPerS)) {
+      const double slowestMmPerS = kSlowest * askedMmPerS;
+      largestMmPerS = askedMmPerS / kFeedReserve;
+      while (largestMmPerS > slowestMmPerS && judged.goesWrongAt(largestMmPerS)) {
+        largestMmPerS /= kFeedReserve;
+      }
+      largestMmPerS = largestMmPerS > slowestMmPerS ? largestMmPerS : 0.0;
+    }
   }
   feasibility::Condition condition{feasibility::Equation::Machine,
                                    largestMmPerS / operatingPoint.feedMmPerS, true,

@@ -160,6 +160,7 @@ struct Outcome {
   double isMade = 0.0;
   double limitMmPerS = 0.0;     ///< of the verdict; 0: it allows no feed
   double equationMmPerS = 0.0;  ///< of the equations alone
+  double isAllowed = 0.0;       ///< by the verdict at the drawn share of the limit
   double wrongRuns = 0.0;       ///< at the drawn share of the limit
   double areWrong = 0.0;        ///< a run at this share of the limit of the equations alone
   double largestRight = 0.0;    ///< feed of the limit up to which all runs are right; 0: not sought
@@ -171,10 +172,11 @@ struct Outcome {
   double durationS = 0.0;
 
   [[nodiscard]] static constexpr auto members() {
-    return std::array{&Outcome::isMade,    &Outcome::limitMmPerS,    &Outcome::equationMmPerS,
-                      &Outcome::wrongRuns, &Outcome::areWrong,       &Outcome::largestRight,
-                      &Outcome::saysWaits, &Outcome::reachSaysWaits, &Outcome::predictedWaitS,
-                      &Outcome::waitS,     &Outcome::predictedS,     &Outcome::durationS};
+    return std::array{&Outcome::isMade,         &Outcome::limitMmPerS, &Outcome::equationMmPerS,
+                      &Outcome::isAllowed,      &Outcome::wrongRuns,   &Outcome::areWrong,
+                      &Outcome::largestRight,   &Outcome::saysWaits,   &Outcome::reachSaysWaits,
+                      &Outcome::predictedWaitS, &Outcome::waitS,       &Outcome::predictedS,
+                      &Outcome::durationS};
   }
 };
 
@@ -245,6 +247,7 @@ class Trial {
     if (outcome.limitMmPerS <= 0.0) {
       return;
     }
+    outcome.isAllowed = verdictAt(m_draw.factor * outcome.limitMmPerS, true).feasible ? 1.0 : 0.0;
     for (std::size_t run = 0; run < kRuns; ++run) {
       outcome.wrongRuns += isWrongAt(m_draw.factor * outcome.limitMmPerS) ? 1.0 : 0.0;
     }
@@ -339,14 +342,14 @@ struct Tally {
 
   void add(const Draw& draw, const Outcome& outcome) {
     ++draws;
-    const bool isAllowed = draw.factor < 1.0 || base::hasWindows(draw.point.method);
+    const bool hasWindows = base::hasWindows(draw.point.method);
     if (outcome.limitMmPerS <= 0.0) {
       ++none;
-    } else if (isAllowed) {
-      allowed += base::hasWindows(draw.point.method) ? 1 : kRuns;
+    } else if (hasWindows || outcome.isAllowed > 0.0) {
+      allowed += hasWindows ? 1 : kRuns;
       wrong += static_cast<std::size_t>(outcome.wrongRuns);
     }
-    if (outcome.equationMmPerS > 0.0 && isAllowed) {
+    if (outcome.equationMmPerS > 0.0 && (hasWindows || draw.factor < 1.0)) {
       ++equationsAllowed;
       equationsWrong += outcome.areWrong > 0.0 ? 1 : 0;
     }

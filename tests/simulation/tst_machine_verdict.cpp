@@ -5,10 +5,13 @@
 /// settings to see how far it can be trusted.
 
 #include <QtTest>
+#include <cmath>
 
 #include "base/random.h"
 #include "base/units.h"
+#include "feasibility/probability.h"
 #include "forecast/machine_verdict.h"
+#include "forecast/region.h"
 #include "papers/verdict_draws.h"
 #include "platform/thread_executor.h"
 #include "streaming/simulation/scenario.h"
@@ -82,6 +85,37 @@ class TestMachineVerdict : public QObject {
     feasibility::OperatingPoint slower = point;
     slower.feedMmPerS = 0.99 * verdict.feedMmPerSMax;
     QVERIFY(judged(points, slower).feasible);
+  }
+
+  /// The probability rises and falls again over the feed: between two feeds that are right, here
+  /// one at which every second run is wrong, because the first point is missed.
+  void theFeedThatIsAskedForIsLookedAtItself() {
+    const machine::MachineConfig machine = *machine::loadPreset("plc");
+    std::vector<gcode::StreamPoint> points;
+    double angle = 0.0;
+    base::Vec3 atMm{};
+    for (int i = 0; i < 103; ++i) {
+      points.push_back({atMm, base::LineNumber{}});
+      angle += 0.040712;
+      atMm = atMm + 0.363208 * base::Vec3{std::cos(angle), std::sin(angle), 0.0};
+    }
+    feasibility::AccessModel access;
+    access.measured =
+        feasibility::MeasuredAccess{{machine.access.readOverhead, machine.access.nodeTimeMean},
+                                    {machine.access.writeOverhead, machine.access.nodeTimeMean}};
+    bool wasPassedOver = false;
+    for (double feed = 1500.0; feed < 3000.0; feed *= 1.03) {
+      const auto point = at(MethodKind::Position, feed, 10, 0.144);
+      const auto verdict = forecast::judgeOn(machine, points, point,
+                                             feasibility::programDistances(points, 10), access);
+      machine::MachineConfig brisk = machine;
+      brisk.resetDynamics = machine::Dynamics::Brisk;
+      const feasibility::StreamModel model = forecast::streamModelOf(brisk);
+      const double probability = feasibility::predict(points, point, model).failureProbability;
+      QVERIFY2(!verdict->feasible || probability < 1e-3, std::to_string(feed).c_str());
+      wasPassedOver = wasPassedOver || (probability > 0.1 && !verdict->feasible);
+    }
+    QVERIFY(wasPassedOver);
   }
 
   /// The dynamics after a reset are not known: what a preset says of them changes nothing.
