@@ -276,11 +276,19 @@ Exit monitorEmulator(const EmulatorOptions& options) {
       fmt::print("{}: as expected in {:.1f} s (", run->name, run->observedAt.back());
       for (const emulator::LearnedAxis& axis : known->axes) {
         fmt::print("{}{} within {:.3f} µm", &axis == known->axes.data() ? "" : ", ", axis.axis,
-                   1e3 * emulator::peakThresholdMm(axis.peaks, known->axes.size(), monitor));
+                   1e3 * emulator::peakThresholdMm(axis, known->axes.size(), monitor));
       }
       fmt::print(")\n");
     }
-    json.push_back({{"run", run->name}, {"deviations", std::move(marks)}});
+    const double beyondS = emulator::secondsBeyondPeaks(*known, *run);
+    if (!options.json && beyondS > 0.0) {
+      fmt::print(
+          "{}: {:.1f} s are faster than what the emulator was learned from: the threshold is "
+          "larger there, and no rate of false alarms is promised\n",
+          run->name, beyondS);
+    }
+    json.push_back(
+        {{"run", run->name}, {"deviations", std::move(marks)}, {"faster_than_learned_s", beyondS}});
   }
   if (options.json) {
     printJson(json);

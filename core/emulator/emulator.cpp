@@ -161,9 +161,9 @@ base::Result<LearnedAxis> parseAxis(const toml::table& servo, char letter,
   axis.axis = letter;
   axis.fitRmsMm = servo.at_path("fitRmsMm").value_or(0.0);
   axis.heldOutRmsMm = servo.at_path("heldOutRmsMm").value_or(0.0);
-  axis.peaks = {servo.at_path("peaks.locationMm").value_or(0.0),
-                servo.at_path("peaks.scaleMm").value_or(0.0),
-                servo.at_path("peaks.seconds").value_or(0)};
+  axis.peaks = {
+      servo.at_path("peaks.locationMm").value_or(0.0), servo.at_path("peaks.scaleMm").value_or(0.0),
+      servo.at_path("peaks.seconds").value_or(0), servo.at_path("peaks.mmPerSMost").value_or(0.0)};
   axis.goesStraight = servo.at_path("setPoints").value_or(std::string()) == "straight";
   axis.parameters[AxisParameter::CoulombSpeed] = 1.0;
   for (const AxisParameterFacts& facts : axisParameterFacts()) {
@@ -363,9 +363,12 @@ std::string printEmulator(const Emulator& emulator) {
     text += axis.goesStraight ? "setPoints = \"straight\"\n" : "";
     if (axis.peaks.windows > 0) {
       text += fmt::format(
-          "# Largest deviation within a second: Gumbel distribution, from so many seconds.\n"
-          "peaks = {{ locationMm = {:.6e}, scaleMm = {:.6e}, seconds = {} }}\n",
-          axis.peaks.locationMm, axis.peaks.scaleMm, axis.peaks.windows);
+          "# Largest deviation within a second: Gumbel distribution, from so many seconds, up to "
+          "this "
+          "speed.\n"
+          "peaks = {{ locationMm = {:.6e}, scaleMm = {:.6e}, seconds = {}, mmPerSMost = {:.6e} "
+          "}}\n",
+          axis.peaks.locationMm, axis.peaks.scaleMm, axis.peaks.windows, axis.peaks.mmPerSMost);
     }
     for (const ParameterEstimate& estimate : axis.estimates) {
       const AxisParameterFacts& facts = factsOf(estimate.parameter);

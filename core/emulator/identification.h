@@ -50,6 +50,8 @@ struct ResidualPeaks {
   double locationMm = 0.0;  ///< of a Gumbel distribution
   double scaleMm = 0.0;
   int windows = 0;  ///< how many peaks it is from
+  /// Largest speed of the set points that they are from; 0: not known.
+  double mmPerSMost = 0.0;
 };
 
 /// An axis as it was learned.

@@ -43,11 +43,37 @@ std::vector<Window> windowsOf(std::span<const double> atS, double fromS) {
   return windows;
 }
 
+/// @pre the run has the axis
+const AxisTrack& trackOf(const TrainingRun& run, char axis) {
+  return *std::ranges::find(run.axes, axis, &AxisTrack::axis);
+}
+
 double largestOf(std::span<const double> residuals, const Window& window) {
   const auto begin = residuals.begin() + static_cast<std::ptrdiff_t>(window.first);
   const auto end = residuals.begin() + static_cast<std::ptrdiff_t>(window.end);
   return *std::max_element(begin, end,
                            [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+/// Largest speed of the set points within a window.
+double fastestMmPerS(const AxisTrack& track, double periodS, const Window& window) {
+  double most = 0.0;
+  const auto last = static_cast<std::size_t>(std::ceil(window.toS / periodS));
+  for (auto i = static_cast<std::size_t>(window.fromS / periodS) + 1;
+       i <= last && i < track.reference.size(); ++i) {
+    most = std::max(most, std::abs(track.reference[i] - track.reference[i - 1]) / periodS);
+  }
+  return most;
+}
+
+/// By how much a window is faster than what the peaks are from; 1: it is not.
+double beyond(const ResidualPeaks& peaks, const AxisTrack& track, double periodS,
+              const Window& window) {
+  // The last digits of set points are not a speed.
+  constexpr double kSameSpeed = 1.01;
+  const double share =
+      peaks.mmPerSMost > 0.0 ? fastestMmPerS(track, periodS, window) / peaks.mmPerSMost : 1.0;
+  return share > kSameSpeed ? share : 1.0;
 }
 
 /// Share of a t distribution above `t`. With x = sqrt(f)·tan(angle) its density becomes a power of
@@ -97,6 +123,7 @@ base::Result<std::vector<AxisResiduals>> residualsOf(const Emulator& emulator,
 base::Result<void> measurePeaks(Emulator& emulator, std::span<const TrainingRun> runs) {
   for (LearnedAxis& axis : emulator.axes) {
     std::vector<double> peaks;
+    double mmPerSMost = 0.0;
     for (const TrainingRun& run : runs) {
       const auto residuals = residualsOf(emulator, run);
       if (!residuals) {
@@ -108,6 +135,8 @@ base::Result<void> measurePeaks(Emulator& emulator, std::span<const TrainingRun>
       }
       for (const Window& window : windowsOf(run.observedAt, knownFromS(run))) {
         peaks.push_back(std::abs(largestOf(found->mm, window)));
+        mmPerSMost =
+            std::max(mmPerSMost, fastestMmPerS(trackOf(run, axis.axis), run.period, window));
       }
     }
     const auto count = static_cast<double>(peaks.size());
@@ -128,16 +157,34 @@ base::Result<void> measurePeaks(Emulator& emulator, std::span<const TrainingRun>
     }
     // Of a Gumbel distribution: variance π²·scale²/6, mean location + γ·scale.
     const double scaleMm = std::sqrt(6.0 * variance) / std::numbers::pi;
-    axis.peaks = {mean - std::numbers::egamma * scaleMm, scaleMm, static_cast<int>(peaks.size())};
+    axis.peaks = {mean - std::numbers::egamma * scaleMm, scaleMm, static_cast<int>(peaks.size()),
+                  mmPerSMost};
   }
   return {};
 }
 
-double peakThresholdMm(const ResidualPeaks& peaks, std::size_t axes,
-                       const MonitorOptions& options) {
+bool promisesRate(const LearnedAxis& axis) {
+  return std::ranges::any_of(axis.estimates, &ParameterEstimate::hasInterval);
+}
+
+double peakThresholdMm(const LearnedAxis& axis, std::size_t axes, const MonitorOptions& options) {
   const double perPeak = std::min(
       0.5, options.falseAlarmsPerHour * kPeakWindowS / (3600.0 * static_cast<double>(axes)));
-  return peaks.locationMm - peaks.scaleMm * std::log(-std::log1p(-perPeak));
+  const double thresholdMm =
+      axis.peaks.locationMm - axis.peaks.scaleMm * std::log(-std::log1p(-perPeak));
+  return promisesRate(axis) ? thresholdMm : kOtherStructure * thresholdMm;
+}
+
+double secondsBeyondPeaks(const Emulator& emulator, const TrainingRun& run) {
+  double seconds = 0.0;
+  for (const Window& window : windowsOf(run.observedAt, knownFromS(run))) {
+    const bool isBeyond = std::ranges::any_of(run.axes, [&](const AxisTrack& track) {
+      const LearnedAxis* const learned = emulator.find(track.axis);
+      return learned != nullptr && beyond(learned->peaks, track, run.period, window) > 1.0;
+    });
+    seconds += isBeyond ? window.toS - window.fromS : 0.0;
+  }
+  return seconds;
 }
 
 base::Result<std::vector<Deviation>> findDeviations(const Emulator& emulator,
@@ -150,17 +197,20 @@ base::Result<std::vector<Deviation>> findDeviations(const Emulator& emulator,
   const std::vector<Window> windows = windowsOf(run.observedAt, knownFromS(run));
   std::vector<Deviation> deviations;
   for (const AxisResiduals& axis : *residuals) {
-    const ResidualPeaks& peaks = emulator.find(axis.axis)->peaks;
+    const LearnedAxis& learned = *emulator.find(axis.axis);
+    const ResidualPeaks& peaks = learned.peaks;
     if (peaks.windows < kPeaksMin) {
       return base::fail(EmulatorError::BadFile,
                         fmt::format("This emulator does not say how large the deviations of axis "
                                     "{} usually are: learn it again, from {} s of traces at least.",
                                     axis.axis, kPeaksMin));
     }
-    const double thresholdMm = peakThresholdMm(peaks, emulator.axes.size(), options);
+    const double knownMm = peakThresholdMm(learned, emulator.axes.size(), options);
+    const AxisTrack& track = trackOf(run, axis.axis);
     bool goesOn = false;
     for (const Window& window : windows) {
       const double largestMm = largestOf(axis.mm, window);
+      const double thresholdMm = knownMm * beyond(peaks, track, run.period, window);
       if (!(std::abs(largestMm) > thresholdMm)) {
         goesOn = false;
         continue;

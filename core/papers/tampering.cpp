@@ -267,8 +267,8 @@ Table peaksTable(const Guard& guard) {
   for (const emulator::LearnedAxis& axis : guard.emulator.axes) {
     peaks.rows.push_back(
         {std::string(1, axis.axis),
-         fmt::format("{:.2f}", 1e3 * emulator::peakThresholdMm(
-                                         axis.peaks, guard.emulator.axes.size(), monitor)),
+         fmt::format("{:.2f}",
+                     1e3 * emulator::peakThresholdMm(axis, guard.emulator.axes.size(), monitor)),
          fmt::format("{:.2f}", 1e3 * axis.peaks.locationMm),
          fmt::format("{:.2f}", 1e3 * axis.peaks.scaleMm)});
   }

@@ -69,7 +69,7 @@ class TestMonitor : public QObject {
   void raisesFalseAlarmsAsOftenAsItSays() {
     const Emulator emulator = withPeaks();
     const MonitorOptions often{.falseAlarmsPerHour = 100.0};
-    const double thresholdMm = peakThresholdMm(emulator.axes[0].peaks, 1, often);
+    const double thresholdMm = peakThresholdMm(emulator.axes[0], 1, often);
     int above = 0;
     constexpr int kSeconds = 3600;
     for (int part = 0; part < 12; ++part) {
@@ -103,6 +103,58 @@ class TestMonitor : public QObject {
     QVERIFY(found->front().toS > 31.0 && found->front().toS < 32.5);
     QVERIFY(std::abs(found->front().largestMm - 0.05) < 0.01);
     QVERIFY(found->front().thresholdMm < 0.01);
+  }
+
+  /// An axis of another structure than its model, four times as fast as it was learned: what the
+  /// model leaves is four times as large, and no alarm. A shift is still noticed there.
+  void doesNotCallMoreSpeedADeviation() {
+    const auto swing = [](double factor, std::uint64_t seed) {
+      TrainingRun run{"swing", kPeriodS, {{'X', {}, {}}}, {}};
+      AxisParameters plant;
+      plant[P::PositionGain] = 52.0;  // the emulator says 50
+      for (int i = 0; kPeriodS * i < 60.0; ++i) {
+        run.axes[0].reference.push_back(10.0 * std::sin(1.3 * factor * kPeriodS * i));
+        run.observedAt.push_back(kPeriodS * i);
+      }
+      Random random(seed);
+      for (const AxisState& state :
+           predict(plant, setPointGrid(run.axes[0], run.period, false), run.observedAt)) {
+        run.axes[0].observed.push_back(state.mm + kNoiseMm * random.normal());
+      }
+      return run;
+    };
+    Emulator emulator = oneAxis();
+    const TrainingRun slow = swing(1.0, 1);
+    QVERIFY(measurePeaks(emulator, {&slow, 1}));
+    QVERIFY(std::abs(emulator.axes[0].peaks.mmPerSMost - 13.0) < 0.1);
+    QCOMPARE(secondsBeyondPeaks(emulator, swing(1.0, 2)), 0.0);
+    const TrainingRun fast = swing(4.0, 3);
+    QVERIFY(secondsBeyondPeaks(emulator, fast) > 30.0);
+    QVERIFY(findDeviations(emulator, fast)->empty());
+    // Without what it was learned at, it is called one.
+    Emulator older = emulator;
+    older.axes[0].peaks.mmPerSMost = 0.0;
+    QVERIFY(!findDeviations(older, fast)->empty());
+    TrainingRun shifted = fast;
+    for (std::size_t i = 0; i < shifted.observedAt.size(); ++i) {
+      shifted.axes[0].observed[i] +=
+          shifted.observedAt[i] > 20.0 && shifted.observedAt[i] < 30.0 ? 0.2 : 0.0;
+    }
+    QCOMPARE(findDeviations(emulator, shifted)->size(), std::size_t{1});
+  }
+
+  /// What a model of another structure leaves depends on the program: no rate is promised.
+  void promisesNothingWhereTheStructureIsAnother() {
+    Emulator emulator = withPeaks();
+    QVERIFY(promisesRate(emulator.axes[0]));
+    const double knownMm = peakThresholdMm(emulator.axes[0], 1, {});
+    emulator.axes[0].estimates[0].high = emulator.axes[0].estimates[0].low;
+    QVERIFY(!promisesRate(emulator.axes[0]));
+    QCOMPARE(peakThresholdMm(emulator.axes[0], 1, {}), kOtherStructure * knownMm);
+    // It is the same when it was read from its file.
+    const auto again = parseEmulator(printEmulator(emulator), "test");
+    QVERIFY(again && !promisesRate(again->axes[0]));
+    QVERIFY(std::abs(again->axes[0].peaks.mmPerSMost - emulator.axes[0].peaks.mmPerSMost) < 1e-5);
   }
 
   /// What the axis did before the trace began is not a deviation.
