@@ -1602,6 +1602,10 @@
         <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
         <translation>Die Steuerung gehorcht dem Override nicht: Pause, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob eine SINUMERIK Synchronaktionen hat und ein LinuxCNC die Komponenten aus docs/linuxcnc.md.</translation>
     </message>
+    <message>
+        <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
+        <translation>Die Bahn lässt sich innerhalb dieser Toleranz nicht einhalten. Erlauben Sie mehr oder gar keine; gepackte Punkte werden um bis zu 0,001 mm verschoben.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -5214,6 +5218,18 @@ GPL-3.0-or-later</translation>
         <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
         <translation>Mit dieser Methode führt die Steuerung nach Stopp ihre Schleife noch aus, höchstens %1 in %2.</translation>
     </message>
+    <message>
+        <source>Within the tolerance %1 of %2 points are left, at most %3 off the program.</source>
+        <translation>Innerhalb der Toleranz bleiben %1 von %2 Punkten, höchstens %3 neben dem Programm.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: a whole job has no tolerance.</source>
+        <translation>Alle Punkte werden gestreamt: Ein ganzer Auftrag hat keine Toleranz.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
+        <translation>Alle Punkte werden gestreamt: Mit weniger lässt sich die Toleranz nicht einhalten.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -7016,6 +7032,10 @@ GPL-3.0-or-later</translation>
         <source>Error on parts held out, while learning</source>
         <translation>Fehler an zurückgehaltenen Teilen beim Lernen</translation>
     </message>
+    <message>
+        <source>none: what the model leaves is not chance</source>
+        <translation>keine: Was das Modell übrig lässt, ist kein Zufall</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::FactorPanel</name>
@@ -8473,6 +8493,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
         <translation>Fenster: Die Maschine wartet, wenn der Client zu spät kommt; sie führt keinen Punkt zweimal aus. Position: Der Client beobachtet das Werkzeug und ersetzt Punkte, die es passiert hat. Signal: Der Client beobachtet einen R-Parameter, in dem das Programm meldet, welche Hälfte der Schleife ersetzt werden darf. Kredit: wie Fenster, ohne Halt zwischen den Fenstern; startet nur an einer Steuerung, die den Test der Seite Kredit-Test bestanden hat.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Straight moves that stay so near to the path take the place of many short ones (rotary axes: degrees). Corners, feeds and the order of the path stay. Not in whole jobs and live runs.</source>
+        <translation>Gerade Sätze, die so nahe an der Bahn bleiben, treten an die Stelle vieler kurzer (Rundachsen: Grad). Ecken, Vorschübe und Reihenfolge der Bahn bleiben. Nicht in ganzen Aufträgen und bei Live-Punkten.</translation>
+    </message>
+    <message>
+        <source>Machine: requests and motion of this machine, followed through the program.</source>
+        <translation>Maschine: Anfragen und Bewegung dieser Maschine, durch das Programm verfolgt.</translation>
     </message>
 </context>
 <context>

@@ -1602,6 +1602,10 @@
         <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
         <translation>El control no obedece al override: la pausa, la parada y el override no actuarían. No se ha movido nada. Compruebe que un SINUMERIK tiene acciones síncronas, o un LinuxCNC los componentes de docs/linuxcnc.md.</translation>
     </message>
+    <message>
+        <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
+        <translation>La trayectoria no se puede mantener dentro de esta tolerancia. Permita más, o ninguna; los puntos empaquetados se desplazan hasta 0,001 mm.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -5214,6 +5218,18 @@ GPL-3.0-or-later</translation>
         <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
         <translation>Con este método, después de Parada el control ejecuta aún su bucle, como máximo %1 en %2.</translation>
     </message>
+    <message>
+        <source>Within the tolerance %1 of %2 points are left, at most %3 off the program.</source>
+        <translation>Dentro de la tolerancia quedan %1 de %2 puntos, como máximo a %3 del programa.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: a whole job has no tolerance.</source>
+        <translation>Se transmiten todos los puntos: un trabajo completo no tiene tolerancia.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
+        <translation>Se transmiten todos los puntos: con menos no se puede mantener la tolerancia.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -7016,6 +7032,10 @@ GPL-3.0-or-later</translation>
         <source>Error on parts held out, while learning</source>
         <translation>Error en las partes reservadas, al aprender</translation>
     </message>
+    <message>
+        <source>none: what the model leaves is not chance</source>
+        <translation>ninguno: lo que deja el modelo no es azar</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::FactorPanel</name>
@@ -8473,6 +8493,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
         <translation>Ventana: la máquina espera si el cliente se retrasa; nunca ejecuta un punto dos veces. Posición: el cliente sigue la herramienta y sustituye los puntos ya rebasados. Señal: el cliente vigila un parámetro R en el que el programa indica qué mitad del bucle se puede sustituir. Crédito: como Ventana, sin parada entre ventanas; solo se inicia en un control que ha superado la prueba de la página Prueba crédito.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Straight moves that stay so near to the path take the place of many short ones (rotary axes: degrees). Corners, feeds and the order of the path stay. Not in whole jobs and live runs.</source>
+        <translation>Movimientos rectos que quedan tan cerca de la trayectoria sustituyen a muchos cortos (ejes rotativos: grados). Esquinas, avances y orden de la trayectoria se mantienen. No en trabajos completos ni con puntos en vivo.</translation>
+    </message>
+    <message>
+        <source>Machine: requests and motion of this machine, followed through the program.</source>
+        <translation>Máquina: peticiones y movimiento de esta máquina, seguidos a lo largo del programa.</translation>
     </message>
 </context>
 <context>

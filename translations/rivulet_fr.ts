@@ -1602,6 +1602,10 @@
         <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
         <translation>La commande n’obéit pas à l’override : pause, arrêt et override n’agiraient pas. Rien n’a bougé. Vérifiez qu’une SINUMERIK a les actions synchrones, ou un LinuxCNC les composants de docs/linuxcnc.md.</translation>
     </message>
+    <message>
+        <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
+        <translation>La trajectoire ne peut pas être tenue dans cette tolérance. Autorisez davantage, ou aucune ; les points compactés sont déplacés jusqu’à 0,001 mm.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -5214,6 +5218,18 @@ GPL-3.0-or-later</translation>
         <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
         <translation>Avec cette méthode, après Arrêt, la commande exécute encore sa boucle, au plus %1 en %2.</translation>
     </message>
+    <message>
+        <source>Within the tolerance %1 of %2 points are left, at most %3 off the program.</source>
+        <translation>Dans la tolérance, il reste %1 points sur %2, à %3 au plus du programme.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: a whole job has no tolerance.</source>
+        <translation>Tous les points sont transmis : un travail complet n’a pas de tolérance.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
+        <translation>Tous les points sont transmis : avec moins, la tolérance ne peut pas être tenue.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -7016,6 +7032,10 @@ GPL-3.0-or-later</translation>
         <source>Error on parts held out, while learning</source>
         <translation>Erreur sur les parties mises de côté, pendant l’apprentissage</translation>
     </message>
+    <message>
+        <source>none: what the model leaves is not chance</source>
+        <translation>aucun : ce que laisse le modèle n’est pas du hasard</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::FactorPanel</name>
@@ -8473,6 +8493,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
         <translation>Fenêtre : la machine attend si le client est en retard ; elle n’exécute jamais un point deux fois. Position : le client suit l’outil et remplace les points déjà passés. Signal : le client surveille un paramètre R où le programme indique quelle moitié de la boucle peut être remplacée. Crédit : comme Fenêtre, sans arrêt entre les fenêtres ; ne démarre que sur une commande qui a réussi le test de la page Test crédit.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Straight moves that stay so near to the path take the place of many short ones (rotary axes: degrees). Corners, feeds and the order of the path stay. Not in whole jobs and live runs.</source>
+        <translation>Des mouvements droits qui restent aussi près de la trajectoire remplacent de nombreux courts (axes rotatifs : degrés). Angles, avances et ordre de la trajectoire restent. Pas dans les travaux complets ni avec des points en direct.</translation>
+    </message>
+    <message>
+        <source>Machine: requests and motion of this machine, followed through the program.</source>
+        <translation>Machine : requêtes et mouvement de cette machine, suivis à travers le programme.</translation>
     </message>
 </context>
 <context>

@@ -1602,6 +1602,10 @@
         <source>The control does not obey the override: pause, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
         <translation>Il controllo non obbedisce all’override: pausa, stop e override non agirebbero. Nulla è stato mosso. Verificare che una SINUMERIK abbia le azioni sincrone, o un LinuxCNC i componenti di docs/linuxcnc.md.</translation>
     </message>
+    <message>
+        <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
+        <translation>Il percorso non si può mantenere entro questa tolleranza. Consentire di più, o nessuna; i punti compattati si spostano fino a 0,001 mm.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -5214,6 +5218,18 @@ GPL-3.0-or-later</translation>
         <source>With this method, after Stop the control still executes its loop, at most %1 in %2.</source>
         <translation>Con questo metodo, dopo Stop il controllo esegue ancora il suo ciclo, al massimo %1 in %2.</translation>
     </message>
+    <message>
+        <source>Within the tolerance %1 of %2 points are left, at most %3 off the program.</source>
+        <translation>Entro la tolleranza restano %1 punti su %2, al massimo a %3 dal programma.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: a whole job has no tolerance.</source>
+        <translation>Tutti i punti vengono trasmessi: un lavoro intero non ha tolleranza.</translation>
+    </message>
+    <message>
+        <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
+        <translation>Tutti i punti vengono trasmessi: con meno la tolleranza non si può mantenere.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -7016,6 +7032,10 @@ GPL-3.0-or-later</translation>
         <source>Error on parts held out, while learning</source>
         <translation>Errore sulle parti escluse, durante l’apprendimento</translation>
     </message>
+    <message>
+        <source>none: what the model leaves is not chance</source>
+        <translation>nessuno: ciò che il modello lascia non è casuale</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::FactorPanel</name>
@@ -8473,6 +8493,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Window: the machine waits if the client is late; it never executes a point twice. Position: the client watches the tool and replaces points it has passed. Signal: the client watches an R-parameter in which the program says which half of the loop may be replaced. Credit: like window, without a stop between windows; it starts only on a control that has passed the test on the page Credit test.</source>
         <translation>Finestra: la macchina attende se il client è in ritardo; non esegue mai un punto due volte. Posizione: il client osserva l’utensile e sostituisce i punti già superati. Segnale: il client osserva un parametro R in cui il programma indica quale metà del loop può essere sostituita. Credito: come Finestra, senza arresto tra le finestre; si avvia solo su un controllo che ha superato il test della pagina Test credito.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolleranza</translation>
+    </message>
+    <message>
+        <source>Straight moves that stay so near to the path take the place of many short ones (rotary axes: degrees). Corners, feeds and the order of the path stay. Not in whole jobs and live runs.</source>
+        <translation>Movimenti diritti che restano così vicini al percorso prendono il posto di molti corti (assi rotativi: gradi). Spigoli, avanzamenti e ordine del percorso restano. Non nei lavori interi né con punti dal vivo.</translation>
+    </message>
+    <message>
+        <source>Machine: requests and motion of this machine, followed through the program.</source>
+        <translation>Macchina: richieste e moto di questa macchina, seguiti lungo il programma.</translation>
     </message>
 </context>
 <context>
