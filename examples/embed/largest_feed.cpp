@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A program that builds on Rivulet: reads an NC program and says how fast method window can stream
-// it without a wait of the machine, with the access time of the paper.
+// it by the reach alone: infinitely quick axes, and the access time of the paper.
 
 #include <cstdio>
 
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", verdict.error().text().c_str());
     return 1;
   }
-  std::printf("%zu points, largest feed without a wait: %.0f mm/min\n", points.size(),
+  std::printf("%zu points, largest feed by the reach: %.0f mm/min\n", points.size(),
               base::mmPerMinFromMmPerS(verdict->feedMmPerSMax));
   return 0;
 }

@@ -571,9 +571,9 @@ class TestMainWindow : public QObject {
     QVERIFY(struck() >= 3);
   }
 
-  /// Points closer than δ: the equations hold, but the simulation of this program at this point
-  /// repeats points. Nothing starts.
-  void simulationOverrulesTheEquation() {
+  /// Points closer than δ: the equations hold, but this machine would repeat points of this
+  /// program. Nothing starts.
+  void theMachineOverrulesTheEquation() {
     QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("circle.nc")));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -590,9 +590,10 @@ class TestMainWindow : public QObject {
     connectToMachine();
     QTRY_VERIFY_WITH_TIMEOUT(m_window->verdict() && m_window->verdict()->feasible, kSoonMs);
     QTRY_VERIFY_WITH_TIMEOUT(
-        m_window->startBlockedReason().contains(QStringLiteral("simulation of this program")),
+        m_window->startBlockedReason().contains(QStringLiteral("the control would repeat points")),
         kSoonMs);
     QVERIFY(!m_window->start());
+    QVERIFY(!m_window->verdict()->feasible);
     QVERIFY(shows(m_window.get(), QStringLiteral("Not feasible")));
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/overruled.png")));
     m_window->setStreamSettings(streamSettings(base::MethodKind::Window, 7, 0.3, 150.0));

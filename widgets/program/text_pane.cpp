@@ -88,6 +88,13 @@ TextPane::TextPane(QWidget* parent)
     setTabOrder(order[i - 1], order[i]);
   }
 
+  connectParts();
+  m_previousPart->hide();
+  m_nextPart->hide();
+  onLanguage(&TextPane::showFound);
+}
+
+void TextPane::connectParts() {
   connect(m_find, &QToolButton::toggled, this, [this](bool isShown) {
     m_searchRow->setVisible(isShown);
     if (isShown) {
@@ -118,9 +125,6 @@ TextPane::TextPane(QWidget* parent)
   // Who looks elsewhere is not pulled back.
   connect(m_text, &ProgramTextView::lineChosen, this, [this] { m_follow->setChecked(false); });
   connect(m_text, &ProgramTextView::scrolledByHand, this, [this] { m_follow->setChecked(false); });
-  m_previousPart->hide();
-  m_nextPart->hide();
-  onLanguage(&TextPane::showFound);
 }
 
 void TextPane::setProgram(const std::shared_ptr<const overview::ProgramView>& view) {

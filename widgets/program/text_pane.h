@@ -57,6 +57,7 @@ class TextPane final : public Page {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void connectParts();
   void findNext(bool isForward);
   void goToLine();
   void goToPart(bool isForward);

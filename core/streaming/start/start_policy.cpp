@@ -241,9 +241,11 @@ std::string sentence(const Blocked& blocked) {
                          argument(0));
     case BlockReason::Infeasible:
       return fmt::format(
-          "Not feasible: equation {} does not hold, the control would repeat "
-          "points. Reduce the feed to {} mm/min.",
-          argument(0), argument(1));
+          "Not feasible by {}: the control would repeat points. Reduce the feed to {} mm/min.",
+          argument(0) == feasibility::equationLabel(feasibility::Equation::Machine)
+              ? "the motion of this machine"
+              : fmt::format("equation {}", argument(0)),
+          argument(1));
     case BlockReason::NotRehearsed:
       return "The program is being simulated. Wait for the result.";
     case BlockReason::RehearsalFailed:
