@@ -80,8 +80,11 @@ Reason settingsBlocked(const StartFacts& facts) {
   }
   if (facts.verdict && !facts.verdict->feasible && !facts.acceptsInfeasible) {
     const double feedMax = base::mmPerMinFromMmPerS(facts.verdict->feedMmPerSMax);
+    const feasibility::Equation by = facts.verdict->limiting.equation;
     return because(BlockReason::Infeasible,
-                   {std::string(feasibility::equationLabel(facts.verdict->limiting.equation)),
+                   {by == feasibility::Equation::Machine
+                        ? "the motion of this machine"
+                        : fmt::format("equation {}", feasibility::equationLabel(by)),
                     fmt::format("{:.0f}", feedMax)});
   }
   if (facts.jobCheck && !facts.jobCheck->isDone) {
@@ -242,10 +245,7 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::Infeasible:
       return fmt::format(
           "Not feasible by {}: the control would repeat points. Reduce the feed to {} mm/min.",
-          argument(0) == feasibility::equationLabel(feasibility::Equation::Machine)
-              ? "the motion of this machine"
-              : fmt::format("equation {}", argument(0)),
-          argument(1));
+          argument(0), argument(1));
     case BlockReason::NotRehearsed:
       return "The program is being simulated. Wait for the result.";
     case BlockReason::RehearsalFailed:
