@@ -211,7 +211,11 @@ class TestStartPolicy : public QObject {
     facts.verdict = infeasible();
     const auto blocked = streaming::startBlocked(facts);
     QVERIFY(reasonOf(blocked) == BlockReason::Infeasible);
-    QCOMPARE(blocked->arguments, (std::vector<std::string>{"(2)", "600"}));
+    QCOMPARE(blocked->arguments, (std::vector<std::string>{"equation (2)", "600"}));
+    facts.verdict->limiting.equation = feasibility::Equation::Machine;
+    const base::Error said = streaming::blockedError(*streaming::startBlocked(facts));
+    QVERIFY2(said.text().find("Not feasible by the motion of this machine") != std::string::npos,
+             said.text().c_str());
     facts.acceptsInfeasible = true;
     facts.acceptsRepeats = true;
     QVERIFY(!streaming::startBlocked(facts));
