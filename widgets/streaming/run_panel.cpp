@@ -616,7 +616,7 @@ void RunPanel::showState() {
   }
   // Read aloud when it changes: without the figure, which always does.
   m_state->setAccessibleName(m_stateLabel->text());
-  if (isActive() && m_update.state != RunState::Armed) {
+  if (isActive() && m_update.state != RunState::Armed && !m_where.isLive) {
     m_stateLabel->setStatus(m_stateLabel->status(),
                             QStringLiteral("%1 \u00B7 %2 %")
                                 .arg(m_stateLabel->text(), numberText(100.0 * doneShare(), 0)));
@@ -685,6 +685,9 @@ streaming::Counters RunPanel::shownCounters() const {
 }
 
 double RunPanel::doneShare() const {
+  if (m_where.isLive && !isWatching()) {
+    return 0.0;  // nobody knows how many points will come
+  }
   const streaming::Counters counters = shownCounters();
   const std::size_t passed =
       isWatching()

@@ -385,6 +385,11 @@ class TestRunPanel : public QObject {
     QVERIFY(!hint(QString("1:30") + QChar(0x00A0) + "min").isEmpty());
     const QString stream = hint("on time, 4 moves in hand");
     QVERIFY(stream.contains("has not executed yet") && stream.contains("99th percentile"));
+    QVERIFY(test::visibleText(panel).contains(QString("Running ") + QChar(0x00B7) + " 30"));
+    RunProgress live;
+    live.isLive = true;
+    panel.setProgress(live);
+    QVERIFY(test::visibleText(panel).split(QLatin1Char('\n')).contains(QString("Running")));
     panel.setProgress({406, 1500, std::nullopt});
     QVERIFY(hint(noValue()).contains("not estimated yet"));
     panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
