@@ -11485,10 +11485,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>An der gewählten Zeile starten. Zuerst wird gezeigt, was sich bewegen würde.</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
         <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
         <translation>Im Text suchen (Strg+F) oder zu einer Zeile gehen (Strg+G)</translation>
     </message>

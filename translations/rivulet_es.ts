@@ -11485,10 +11485,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Iniciar en la línea elegida. Antes se muestra qué se movería.</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Buscar</translation>
-    </message>
-    <message>
         <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
         <translation>Buscar en el texto (Ctrl+F) o ir a una línea (Ctrl+G)</translation>
     </message>

@@ -11485,10 +11485,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Démarrer à la ligne choisie. Ce qui bougerait est d’abord montré.</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Chercher</translation>
-    </message>
-    <message>
         <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
         <translation>Chercher dans le texte (Ctrl+F), ou aller à une ligne (Ctrl+G)</translation>
     </message>

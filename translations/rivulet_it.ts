@@ -11485,10 +11485,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Avvia dalla riga scelta. Prima viene mostrato che cosa si muoverebbe.</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Cerca</translation>
-    </message>
-    <message>
         <source>Search the text (Ctrl+F), or go to a line (Ctrl+G)</source>
         <translation>Cercare nel testo (Ctrl+F) o andare a una riga (Ctrl+G)</translation>
     </message>

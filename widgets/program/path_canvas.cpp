@@ -181,8 +181,11 @@ void PathCanvas::setRunBegin(std::size_t point) {
 }
 
 void PathCanvas::setToolPosition(const std::optional<base::Vec3>& positionMm) {
-  m_toolMm = positionMm && base::isFinite(*positionMm) ? positionMm : std::nullopt;
-  update();
+  const auto toolMm = positionMm && base::isFinite(*positionMm) ? positionMm : std::nullopt;
+  if (toolMm != m_toolMm) {  // an idle machine is read again and again
+    m_toolMm = toolMm;
+    update();
+  }
 }
 
 void PathCanvas::setFirstWay(std::vector<base::Vec3> placesMm) {

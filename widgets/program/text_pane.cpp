@@ -36,8 +36,8 @@ TextPane::TextPane(QWidget* parent)
       m_finder(new TextSearch(this)),
       m_searchRow(new QWidget(this)),
       m_find(say(new QToolButton(this),
-                 {.text = QT_TR_NOOP("Find"),
-                  .tip = QT_TR_NOOP("Search the text (Ctrl+F), or go to a line (Ctrl+G)"),
+                 {.hint = QT_TR_NOOP("Search the text (Ctrl+F), or go to a line (Ctrl+G)"),
+                  .icon = "search",
                   .isTouch = true})),
       m_previous(
           say(makeTool(this, Qt::UpArrow), {.hint = QT_TR_NOOP("Previous line with this text")})),
