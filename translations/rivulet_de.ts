@@ -1352,11 +1352,11 @@
     </message>
     <message>
         <source>The trace has no such signal. The tool tips of the signals have their names.</source>
-        <translation>Der Verlauf hat kein solches Signal. Die Namen stehen in den Kurzhinweisen der Signale.</translation>
+        <translation>Die Aufzeichnung hat kein solches Signal. Die Namen stehen in den Kurzhinweisen der Signale.</translation>
     </message>
     <message>
         <source>This is no trace that can be read: there are no rows of numbers in it.</source>
-        <translation>Kein lesbarer Verlauf: Die Datei enthält keine Zeilen mit Zahlen.</translation>
+        <translation>Keine lesbare Aufzeichnung: Die Datei enthält keine Zeilen mit Zahlen.</translation>
     </message>
     <message>
         <source>The table has no such column.</source>
@@ -1364,11 +1364,11 @@
     </message>
     <message>
         <source>The trace has no positions: compare it by time.</source>
-        <translation>Der Verlauf hat keine Positionen: nach der Zeit vergleichen.</translation>
+        <translation>Die Aufzeichnung hat keine Positionen: nach der Zeit vergleichen.</translation>
     </message>
     <message>
         <source>To compare by points, open the NC program that the traces show.</source>
-        <translation>Zum Vergleich nach Punkten das NC-Programm öffnen, das die Verläufe zeigen.</translation>
+        <translation>Zum Vergleich nach Punkten das NC-Programm öffnen, das die Aufzeichnungen zeigen.</translation>
     </message>
     <message>
         <source>The runs are of different programs: compare them by time or path.</source>
@@ -2623,7 +2623,7 @@
     </message>
     <message>
         <source>Traces</source>
-        <translation>Verläufe</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -3368,8 +3368,8 @@
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Fremde Bewegung</translation>
+        <source>Off the program</source>
+        <translation>Neben dem Programm</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -4012,7 +4012,7 @@
     </message>
     <message>
         <source>Path speed; stops are orange</source>
-        <translation>Bahngeschwindigkeit; Halte sind orange</translation>
+        <translation>Bahngeschwindigkeit; Stillstände sind orange</translation>
     </message>
     <message>
         <source>Duration of requests: median blue, longest orange</source>
@@ -4032,7 +4032,7 @@
     </message>
     <message>
         <source>The longest of %1 stops</source>
-        <translation>Die längsten von %1 Halten</translation>
+        <translation>Die längsten von %1 Stillständen</translation>
     </message>
     <message>
         <source>At</source>
@@ -4064,7 +4064,7 @@
     </message>
     <message>
         <source>What limited the run: the stops between loops or windows, %1 in all.</source>
-        <translation>Was den Lauf begrenzte: die Halte zwischen Schleifen oder Fenstern, insgesamt %1.</translation>
+        <translation>Was den Lauf begrenzte: die Stillstände zwischen Schleifen oder Fenstern, insgesamt %1.</translation>
     </message>
     <message>
         <source>What limited the run: the machine, by braking and accelerating, not the client.</source>
@@ -4159,8 +4159,8 @@
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Fremde Bewegung</translation>
+        <source>Off the program</source>
+        <translation>Neben dem Programm</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -4240,7 +4240,7 @@
     </message>
     <message>
         <source>Path speed up to %1 mm/min; stops are orange</source>
-        <translation>Bahngeschwindigkeit bis %1 mm/min; Halte sind orange</translation>
+        <translation>Bahngeschwindigkeit bis %1 mm/min; Stillstände sind orange</translation>
     </message>
 </context>
 <context>
@@ -4566,7 +4566,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::hmi::PastRuns</name>
     <message>
         <source>A run is in progress: the Traces page shows it until it has ended.</source>
-        <translation>Ein Lauf ist im Gang: Die Seite Verläufe zeigt ihn, bis er beendet ist.</translation>
+        <translation>Ein Lauf ist im Gang: Die Seite Aufzeichnungen zeigt ihn, bis er beendet ist.</translation>
     </message>
     <message>
         <source>A run is in progress. Open another program after it has ended.</source>
@@ -6280,7 +6280,7 @@ GPL-3.0-or-later</translation>
     <name>rivulet::widgets::ComparePanel</name>
     <message>
         <source>Open two traces or more to compare them.</source>
-        <translation>Zum Vergleichen zwei oder mehr Verläufe öffnen.</translation>
+        <translation>Zum Vergleichen zwei oder mehr Aufzeichnungen öffnen.</translation>
     </message>
     <message>
         <source>Comparing …</source>
@@ -6326,7 +6326,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Each pane shows the other traces minus the first one</source>
-        <translation>Jedes Feld zeigt die anderen Verläufe minus den ersten</translation>
+        <translation>Jedes Feld zeigt die anderen Aufzeichnungen minus die erste</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -6542,7 +6542,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The trace has no such place.</source>
-        <translation>Diese Stelle gibt es im Verlauf nicht.</translation>
+        <translation>Diese Stelle gibt es in der Aufzeichnung nicht.</translation>
     </message>
     <message>
         <source>Type a number.</source>
@@ -6806,7 +6806,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Traces</source>
-        <translation>Verläufe</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>All files</source>
@@ -7449,7 +7449,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>New traces are shown in</source>
-        <translation>Neue Verläufe zeigen in</translation>
+        <translation>Neue Aufzeichnungen zeigen in</translation>
     </message>
     <message>
         <source>the usual panes</source>
@@ -9840,8 +9840,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Ausgelassen</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Fremde Bewegung</translation>
+        <source>Off the program</source>
+        <translation>Neben dem Programm</translation>
     </message>
     <message>
         <source>Number</source>
@@ -10340,7 +10340,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
-        <translation>Gestreamt %1, Pausen %2, Werkzeugwechsel %3, andere Sätze der Steuerung %4. Zyklen, Messen und Halte sind nicht enthalten.</translation>
+        <translation>Gestreamt %1, Pausen %2, Werkzeugwechsel %3, andere Sätze der Steuerung %4. Zyklen, Messen und Stopps sind nicht enthalten.</translation>
     </message>
     <message>
         <source>%1, pauses %2, control %3</source>
@@ -10672,7 +10672,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Open in Traces</source>
-        <translation>In Verläufen öffnen</translation>
+        <translation>In Aufzeichnungen öffnen</translation>
     </message>
     <message>
         <source>Repeat with these settings</source>
@@ -11493,7 +11493,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <name>rivulet::widgets::TimeStrip</name>
     <message>
         <source>Overview of the whole trace</source>
-        <translation>Übersicht des ganzen Verlaufs</translation>
+        <translation>Übersicht der ganzen Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -11552,11 +11552,11 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Open traces</source>
-        <translation>Verläufe öffnen</translation>
+        <translation>Aufzeichnungen öffnen</translation>
     </message>
     <message>
         <source>Traces</source>
-        <translation>Verläufe</translation>
+        <translation>Aufzeichnungen</translation>
     </message>
     <message>
         <source>All files</source>
@@ -11572,7 +11572,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Open recordings and traces; several are shown on one time axis</source>
-        <translation>Aufzeichnungen und Verläufe öffnen; mehrere auf einer Zeitachse</translation>
+        <translation>Aufzeichnungen öffnen; mehrere auf einer Zeitachse</translation>
     </message>
     <message>
         <source>Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor A. Shift and click: cursor B. Home: show all.</source>
@@ -11580,11 +11580,11 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Stops, signals and cursors beside the curves</source>
-        <translation>Halte, Signale und Cursor neben den Kurven</translation>
+        <translation>Stillstände, Signale und Cursor neben den Kurven</translation>
     </message>
     <message>
         <source>Stops</source>
-        <translation>Halte</translation>
+        <translation>Stillstände</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -11600,7 +11600,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Looking for stops …</source>
-        <translation>Sucht Halte …</translation>
+        <translation>Sucht Stillstände …</translation>
     </message>
     <message>
         <source>Reading %1 …</source>
@@ -11624,7 +11624,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Save what the panes show</source>
-        <translation>Sichern, was die Felder zeigen</translation>
+        <translation>Speichern, was die Felder zeigen</translation>
     </message>
     <message>
         <source>%1 cannot be written. Choose another folder.</source>
@@ -11636,7 +11636,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Save…</source>
-        <translation>Sichern…</translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>Arrangements of panes that are kept by name</source>
@@ -11644,11 +11644,11 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)</source>
-        <translation>Sichern, was die Felder zeigen: die Abtastwerte als Tabelle (CSV) oder ein Bild (PNG, SVG, PDF)</translation>
+        <translation>Speichern, was die Felder zeigen: die Abtastwerte als Tabelle (CSV) oder ein Bild (PNG, SVG, PDF)</translation>
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Gesichert: %1</translation>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Shown beside the panes</source>

@@ -3368,8 +3368,8 @@
         <translation>Omitidos</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimiento ajeno</translation>
+        <source>Off the program</source>
+        <translation>Fuera del programa</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -4159,8 +4159,8 @@
         <translation>Omitidos</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimiento ajeno</translation>
+        <source>Off the program</source>
+        <translation>Fuera del programa</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -9840,8 +9840,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Omitidos</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimiento ajeno</translation>
+        <source>Off the program</source>
+        <translation>Fuera del programa</translation>
     </message>
     <message>
         <source>Number</source>

@@ -3368,8 +3368,8 @@
         <translation>Sautés</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Mouvement étranger</translation>
+        <source>Off the program</source>
+        <translation>Hors du programme</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -4159,8 +4159,8 @@
         <translation>Sautés</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Mouvement étranger</translation>
+        <source>Off the program</source>
+        <translation>Hors du programme</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -9840,8 +9840,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Sautés</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Mouvement étranger</translation>
+        <source>Off the program</source>
+        <translation>Hors du programme</translation>
     </message>
     <message>
         <source>Number</source>

@@ -3368,8 +3368,8 @@
         <translation>Saltati</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimento estraneo</translation>
+        <source>Off the program</source>
+        <translation>Fuori dal programma</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -4159,8 +4159,8 @@
         <translation>Saltati</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimento estraneo</translation>
+        <source>Off the program</source>
+        <translation>Fuori dal programma</translation>
     </message>
     <message>
         <source>Out of order</source>
@@ -9840,8 +9840,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Saltati</translation>
     </message>
     <message>
-        <source>Foreign motion</source>
-        <translation>Movimento estraneo</translation>
+        <source>Off the program</source>
+        <translation>Fuori dal programma</translation>
     </message>
     <message>
         <source>Number</source>

@@ -210,7 +210,7 @@ struct TraceTexts {
            isKnown ? tr("%1 of %2").arg(countText(executed), countText(total)) : tr("not judged")},
           {tr("Repeated"), count(repeated)},
           {tr("Skipped"), count(skipped)},
-          {tr("Foreign motion"), count(foreign)}};
+          {tr("Off the program"), count(foreign)}};
     };
     if (blocks.judged) {
       const std::size_t total =

@@ -75,7 +75,7 @@ struct SheetTexts {
         {tr("Executed"), tr("%1 of %2").arg(countText(run.executed), countText(run.total))},
         {tr("Repeated"), judged(run.repeated)},
         {tr("Skipped"), judged(run.skipped)},
-        {tr("Foreign motion"), judged(run.foreign)},
+        {tr("Off the program"), judged(run.foreign)},
         {tr("Out of order"), judged(run.outOfOrder)},
         {tr("Duration"), durationText(base::toSeconds(run.duration))}};
     if (const auto& job = run.jobTimes) {

@@ -65,7 +65,7 @@ ReportPanel::ReportPanel(QWidget* parent) : Page(parent) {
                                                      QT_TR_NOOP("Executed"),
                                                      QT_TR_NOOP("Repeated"),
                                                      QT_TR_NOOP("Skipped"),
-                                                     QT_TR_NOOP("Foreign motion"),
+                                                     QT_TR_NOOP("Off the program"),
                                                      QT_TR_NOOP("Number"),
                                                      QT_TR_NOOP("Mean"),
                                                      QT_TR_NOOP("Total"),
