@@ -46,13 +46,13 @@ QPen buttonBorder(const QStyleOption& option) {
   return {option.state.testFlag(QStyle::State_On) ? colors.accent : colors.line, 1.0};
 }
 
-QColor mixed(const QColor& ground, const QColor& other, float share) {
-  const auto channel = [share](auto a, auto b) {
-    return (1.0F - share) * static_cast<float>(a) + share * static_cast<float>(b);
-  };
-  return QColor::fromRgbF(channel(ground.redF(), other.redF()),
-                          channel(ground.greenF(), other.greenF()),
-                          channel(ground.blueF(), other.blueF()));
+void fillRounded(QPainter& painter, const QRect& rect, const QBrush& brush) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(brush);
+  painter.drawRoundedRect(rect, kRadiusPx, kRadiusPx);
+  painter.restore();
 }
 
 void drawBorder(QPainter& painter, const QRect& rect, const QPen& pen) {
@@ -74,18 +74,14 @@ void drawButton(QPainter& painter, const QStyleOption& option) {
   const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
   const bool isPressed = isEnabled && option.state.testFlag(QStyle::State_Sunken);
   const bool isUnder = isEnabled && option.state.testFlag(QStyle::State_MouseOver);
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
   const ThemeColors& colors = themeColors(option.palette);
   const QColor ground = option.palette.color(QPalette::Button);
   const bool isChosen = option.state.testFlag(QStyle::State_On) && !colors.isContrast;
-  painter.setBrush((isChosen ? mixed(ground, colors.accent, kCheckedTint) : ground)
-                       .darker(isPressed ? kPressedPercent
-                               : isUnder ? kHoverPercent
-                                         : 100));
-  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
-  painter.restore();
+  fillRounded(painter, option.rect,
+              (isChosen ? mixed(ground, colors.accent, kCheckedTint) : ground)
+                  .darker(isPressed ? kPressedPercent
+                          : isUnder ? kHoverPercent
+                                    : 100));
   // A filled button is seen by its colour.
   const bool isFilled = ground != colors.button && !colors.isContrast;
   if (!isFilled) {
@@ -188,12 +184,7 @@ void drawSlider(QPainter& painter, const QRect& groove, const QRect& handle,
 
 /// Behind a line of text that can be edited.
 void drawField(QPainter& painter, const QStyleOption& option) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(option.palette.brush(QPalette::Base));
-  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
-  painter.restore();
+  fillRounded(painter, option.rect, option.palette.brush(QPalette::Base));
   drawBorder(painter, option.rect, border(option));
 }
 
@@ -229,11 +220,9 @@ void drawScrollHandle(QPainter& painter, const QRect& part, const QStyleOptionSl
 void drawList(QPainter& painter, const QRect& arrow, const QStyleOptionComboBox& option) {
   const ThemeColors& colors = themeColors(option.palette);
   const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  fillRounded(painter, option.rect, colors.button);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colors.button);
-  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
   const QPointF centre = QRectF(arrow).center();
   painter.setPen(QPen(isEnabled ? colors.mutedText : colors.line, 2.0, Qt::SolidLine, Qt::RoundCap,
                       Qt::RoundJoin));
@@ -259,6 +248,15 @@ void drawTab(QPainter& painter, const QStyleOptionTab& option) {
 }
 
 }  // namespace
+
+QColor mixed(const QColor& ground, const QColor& other, float share) {
+  const auto channel = [share](auto a, auto b) {
+    return (1.0F - share) * static_cast<float>(a) + share * static_cast<float>(b);
+  };
+  return QColor::fromRgbF(channel(ground.redF(), other.redF()),
+                          channel(ground.greenF(), other.greenF()),
+                          channel(ground.blueF(), other.blueF()));
+}
 
 OperatorStyle::OperatorStyle() : QProxyStyle(QStringLiteral("Fusion")) {
 }

@@ -8,9 +8,13 @@
 /// @threadsafety GUI thread.
 #pragma once
 
+#include <QColor>
 #include <QProxyStyle>
 
 namespace rivulet::widgets {
+
+/// A colour between two opaque ones. @param share  of the other one, 0 to 1
+[[nodiscard]] QColor mixed(const QColor& ground, const QColor& other, float share);
 
 class OperatorStyle final : public QProxyStyle {
   Q_OBJECT

@@ -233,12 +233,7 @@ void fillButton(QPushButton& button, const QColor& fill) {
   QPalette own = QApplication::palette();
   const ThemeColors& colors = themeColors(own);
   const auto pale = [&colors](const QColor& color) {
-    const auto mixed = [](auto a, auto b) {
-      return kPaleShare * static_cast<float>(a) + (1.0F - kPaleShare) * static_cast<float>(b);
-    };
-    return QColor::fromRgbF(mixed(color.redF(), colors.window.redF()),
-                            mixed(color.greenF(), colors.window.greenF()),
-                            mixed(color.blueF(), colors.window.blueF()));
+    return mixed(colors.window, color, kPaleShare);
   };
   own.setColor(QPalette::Button, fill);
   own.setColor(QPalette::ButtonText, colors.onFill);
