@@ -364,10 +364,9 @@ std::string printEmulator(const Emulator& emulator) {
     if (axis.peaks.windows > 0) {
       text += fmt::format(
           "# Largest deviation within a second: Gumbel distribution, from so many seconds, up to "
-          "this "
-          "speed.\n"
-          "peaks = {{ locationMm = {:.6e}, scaleMm = {:.6e}, seconds = {}, mmPerSMost = {:.6e} "
-          "}}\n",
+          "this speed.\n"
+          "peaks = {{ locationMm = {:.6e}, scaleMm = {:.6e}, seconds = {}, "
+          "mmPerSMost = {:.6e} }}\n",
           axis.peaks.locationMm, axis.peaks.scaleMm, axis.peaks.windows, axis.peaks.mmPerSMost);
     }
     for (const ParameterEstimate& estimate : axis.estimates) {

@@ -42,8 +42,7 @@ struct ParameterEstimate {
 /// Why an axis has no intervals, after a colon.
 inline constexpr const char* kNoIntervals =
     "what the model leaves is not chance, so the axis has another structure, and its parameters "
-    "may "
-    "be far from these.";
+    "may be far from these.";
 
 /// How large the deviations of an axis in good order are: see monitor.h.
 struct ResidualPeaks {
