@@ -4,6 +4,7 @@
 #include "hmi/machine_model.h"
 
 #include <chrono>
+#include <tuple>
 
 #include "opcua/control_map.h"
 #include "trust/user_certificate.h"
@@ -21,7 +22,7 @@ namespace {
 constexpr int kChannelActive = 1;
 constexpr int kProgramRunning = 3;
 /// How often what is shown is asked for its age.
-constexpr int kAgeIntervalMs = 100;
+constexpr int kAgeIntervalMs = 250;
 /// Reads that were rare are taken for frequent again after this time without a gap.
 constexpr double kRareLastsS = 3.0;
 
@@ -312,6 +313,14 @@ void MachineModel::sayLink() {
 }
 
 void MachineModel::takeSeen(const session::MachineSeen& seen) {
+  const auto said = [this] {
+    return std::tuple(m_view.channelStatus, m_view.programStatus, m_view.alarmNumber,
+                      m_view.programName, m_view.positionMm, m_view.rotaryAxes, m_view.rotaryDeg);
+  };
+  const auto saidBefore = said();
+  const double nowS = m_clock();
+  const bool wasSilent = !widgets::isFresh(m_positionRead.ageS(nowS)) || !m_stateAtS ||
+                         !widgets::isFresh(nowS - *m_stateAtS);
   m_view.channelStatus = seen.channelStatus;
   // What was still on its way when a test began tells of the time before.
   m_mayMove = m_session.isCommissioning() ? m_mayMove : seen.channelStatus != opcua::kChannelReset;
@@ -333,14 +342,14 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
     m_view.toGo = widgets::MachineView::ToGo{*seen.toGoMm, seen.toGoDeg};
   }
   if (seen.equipment) {
-    showEquipment(*seen.equipment);
+    m_view.equipment = seen.equipment;
+    m_equipmentAtS = nowS;
   }
   if (seen.described) {
     m_view.described = seen.described;
-    m_describedAtS = m_clock();
+    m_describedAtS = nowS;
   }
   // What could not be read stays as it was, and gets old.
-  const double nowS = m_clock();
   if (seen.channelStatus && seen.programStatus && seen.alarm) {
     m_stateAtS = nowS;
   }
@@ -355,7 +364,7 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
     m_feedRead.take(nowS, false);
   }
   showAges();
-  Q_EMIT this->seen();
+  Q_EMIT this->seen(wasSilent || said() != saidBefore);
 }
 
 void MachineModel::showRunning(const QString& programName) {

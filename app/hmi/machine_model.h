@@ -96,7 +96,8 @@ class MachineModel final : public QObject {
   void viewChanged();
   void rightsSeen(const rivulet::session::RightsSeen& seen);
   /// The control was looked at between runs.
-  void seen();
+  /// @param isNews  it says something else than before, or said nothing for a while
+  void seen(bool isNews);
   void calibrationChanged();
   /// A calibration has ended, with a new record or without.
   void calibrationEnded();

@@ -115,9 +115,13 @@ RunController::RunController(StreamSession& session, Document& document, Machine
   connect(&m_machine, &MachineModel::calibrationChanged, this, [this] {
     m_document.setCalibration(m_machine.calibration(), m_machine.isCalibrationOutdated());
   });
-  connect(&m_machine, &MachineModel::seen, this, [this] {
-    m_document.setToolPosition(*m_machine.view().positionMm);
-    Q_EMIT permissionsChanged();
+  connect(&m_machine, &MachineModel::seen, this, [this](bool isNews) {
+    if (const auto& positionMm = m_machine.view().positionMm) {
+      m_document.setToolPosition(*positionMm);
+    }
+    if (isNews) {
+      Q_EMIT permissionsChanged();
+    }
   });
   connect(&m_document, &Document::judged, this, &RunController::permissionsChanged);
   connect(&m_document, &Document::fileStateChanged, this, &RunController::permissionsChanged);

@@ -13,7 +13,9 @@ namespace rivulet::session {
 
 namespace {
 
-constexpr int kDrainIntervalMs = 33;
+/// How often the window asks the streaming thread for events; nothing streams: it hurries nowhere.
+constexpr int kDrainMs = 33;
+constexpr int kIdleDrainMs = 100;
 
 }  // namespace
 
@@ -27,7 +29,7 @@ StreamSession::StreamSession(opcua::Connector connector, report::MachineStore ma
                              QObject* parent)
     : QObject(parent),
       m_worker(std::make_unique<SessionWorker>(std::move(connector), std::move(machines))) {
-  m_timer.setInterval(kDrainIntervalMs);
+  m_timer.setInterval(kIdleDrainMs);
   connect(&m_timer, &QTimer::timeout, this, &StreamSession::drain);
   m_timer.start();
 }
@@ -43,7 +45,7 @@ void StreamSession::disconnectFrom() {
 }
 
 void StreamSession::start(StartCommand command) {
-  if (m_running || m_asking || m_calibrating || m_ending || m_commissioning) {
+  if (isBusy()) {
     return;
   }
   command.startedAtUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -65,7 +67,7 @@ void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
 }
 
 void StreamSession::commission(CommissionCommand command) {
-  if (m_running || m_asking || m_calibrating || m_ending || m_commissioning) {
+  if (isBusy()) {
     return;
   }
   command.startedAtUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -113,12 +115,15 @@ bool StreamSession::endRun(const std::optional<streaming::RunOnControl>& run, bo
 }
 
 void StreamSession::examineRights() {
-  if (!m_running && !m_asking && !m_calibrating && !m_ending && !m_commissioning) {
+  if (!isBusy()) {
     m_worker->post(RightsCommand{});
   }
 }
 
 void StreamSession::drain() {
+  if (const int intervalMs = isBusy() ? kDrainMs : kIdleDrainMs; intervalMs != m_timer.interval()) {
+    m_timer.setInterval(intervalMs);
+  }
   while (const std::optional<SessionEvent> event = m_worker->take()) {
     if (const auto* change = std::get_if<LinkChanged>(&*event)) {
       Q_EMIT linkChanged(*change);

@@ -98,6 +98,10 @@ class StreamSession final : public QObject {
 
  private:
   void drain();
+  /// Whether the streaming thread is asked to do something that takes a while.
+  [[nodiscard]] bool isBusy() const {
+    return m_running || m_asking || m_calibrating || m_ending || m_commissioning;
+  }
 
   std::unique_ptr<SessionWorker> m_worker;
   QTimer m_timer;

@@ -172,13 +172,19 @@ void PositionLine::restyle() {
 void PositionLine::showValue(QLabel* label, const QString& text, Freshness freshness,
                              const QColor& color) {
   label->setText(text);
-  QFont font = label->font();
-  font.setStrikeOut(freshness == Freshness::Old && text != noValue());
-  label->setFont(font);
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText,
-                  freshness == Freshness::Live ? color : themeColors(palette()).mutedText);
-  label->setPalette(colors);
+  // Set only where something changes: this is called at every reading.
+  if (const bool strikeOut = freshness == Freshness::Old && text != noValue();
+      label->font().strikeOut() != strikeOut) {
+    QFont font = label->font();
+    font.setStrikeOut(strikeOut);
+    label->setFont(font);
+  }
+  const QColor& shown = freshness == Freshness::Live ? color : themeColors(palette()).mutedText;
+  if (label->palette().color(QPalette::WindowText) != shown) {
+    QPalette colors = label->palette();
+    colors.setColor(QPalette::WindowText, shown);
+    label->setPalette(colors);
+  }
 }
 
 void PositionLine::showAll() {

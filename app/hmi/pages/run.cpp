@@ -445,9 +445,8 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   });
   QObject::connect(found, &FoundRuns::changed, panel,
                    [panel, found] { panel->setFound(found->view()); });
-  const auto showMotion = [panel, machine] { panel->setMayMove(machine->mayMove()); };
-  QObject::connect(machine, &MachineModel::seen, panel, showMotion);
-  QObject::connect(machine, &MachineModel::viewChanged, panel, showMotion);
+  QObject::connect(machine, &MachineModel::viewChanged, panel,
+                   [panel, machine] { panel->setMayMove(machine->mayMove()); });
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::endRequested, runs, &RunController::end);
   QObject::connect(panel, &RunPanel::overrideRequested, runs, &RunController::setOverride);
