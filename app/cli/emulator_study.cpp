@@ -14,9 +14,9 @@
 #include "cli/emulator_runs.h"
 #include "cli/status_line.h"
 #include "emulator/paper/study.h"
-#include "papers/sparse_learning.h"
 #include "platform/interrupt.h"
 #include "platform/thread_executor.h"
+#include "training/sparse_learning.h"
 
 namespace rivulet::cli {
 
@@ -61,13 +61,13 @@ base::Result<std::vector<Course>> loadCourses(const EmulatorOptions& options) {
     runs.push_back(std::move(one.run));
   }
   if (!options.programs.empty()) {
-    const auto known = papers::learnWithClocks(runs);
+    const auto known = training::learnWithClocks(runs);
     if (!known) {
       return base::fail(known.error());
     }
     for (TrainingRun& run : runs) {
-      papers::alignClock(run, *known);
-      if (auto fits = papers::requireSteadyClock(run, *known); !fits) {
+      training::alignClock(run, *known);
+      if (auto fits = training::requireSteadyClock(run, *known); !fits) {
         return base::fail(fits.error());
       }
       std::erase_if(run.axes, [](const emulator::AxisTrack& track) { return track.axis == 'Z'; });

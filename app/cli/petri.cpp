@@ -15,8 +15,8 @@
 #include "petri/net_file.h"
 #include "petri/simulator.h"
 #include "petri/state_space.h"
-#include "report/experiment_report.h"
-#include "report/svg_plot.h"
+#include "report/experiments/experiment_report.h"
+#include "report/experiments/svg_plot.h"
 
 namespace rivulet::cli {
 

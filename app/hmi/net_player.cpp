@@ -16,7 +16,7 @@ constexpr int kTurnMs = 33;
 /// Of a turn, for the net: the window needs the rest.
 constexpr qint64 kWorkMs = 12;
 constexpr double kUsPerS = 1e6;
-constexpr auto kEnd = static_cast<petri::Word>(papers::kFigure13S * kUsPerS);
+constexpr auto kEnd = static_cast<petri::Word>(pipeline::kFigure13S * kUsPerS);
 
 }  // namespace
 
@@ -38,7 +38,8 @@ void NetPlayer::restart() {
   m_timer.stop();
   m_simulator.reset();
   if (!m_net) {
-    auto net = petri::loadNet("p3", papers::figure13Parameters(m_choice.cycleMs, m_choice.policy));
+    auto net =
+        petri::loadNet("p3", pipeline::figure13Parameters(m_choice.cycleMs, m_choice.policy));
     RIVULET_ASSERT(net.has_value());  // it comes with Rivulet, and so do its parameters
     m_net = std::make_shared<const petri::Net>(std::move(*net));
     m_reader.emplace(*m_net);

@@ -12,8 +12,8 @@
 #include <memory>
 #include <optional>
 
-#include "papers/parallel_cnc.h"
 #include "petri/simulator.h"
+#include "pipeline/figure13.h"
 #include "widgets/pipeline/net_state.h"
 
 namespace rivulet::hmi {
@@ -51,7 +51,7 @@ class NetPlayer final : public QObject {
   widgets::NetChoice m_choice;
   std::shared_ptr<const petri::Net> m_net;
   std::unique_ptr<petri::Simulator> m_simulator;  ///< of `m_net`
-  std::optional<papers::LevelReader> m_reader;
+  std::optional<pipeline::LevelReader> m_reader;
   widgets::NetState m_state;
   QTimer m_timer;
   QElapsedTimer m_sinceTurn;

@@ -16,8 +16,8 @@
 #include "emulator/emulator_error.h"
 #include "emulator/monitor.h"
 #include "machine/config.h"
-#include "papers/sparse_learning.h"
 #include "platform/utc_now.h"
+#include "training/sparse_learning.h"
 
 namespace rivulet::learning {
 
@@ -93,15 +93,15 @@ base::Result<Learned> learn(LearnRequest request,
   }
   const emulator::LearnOptions options{.progress = progress, .isCancelled = isCancelled};
   if (*isPlanned) {
-    auto known = papers::learnWithClocks(runs, options);
+    auto known = training::learnWithClocks(runs, options);
     if (!known) {
       return base::fail(known.error());
     }
     learned.emulator.axes = std::move(known->axes);
     for (auto* list : {&request.learnFrom, &request.testOn}) {
       for (Recording& one : *list) {
-        papers::alignClock(one.run, learned.emulator);
-        if (auto fits = papers::requireSteadyClock(one.run, learned.emulator); !fits) {
+        training::alignClock(one.run, learned.emulator);
+        if (auto fits = training::requireSteadyClock(one.run, learned.emulator); !fits) {
           return base::fail(fits.error());
         }
       }
@@ -129,7 +129,7 @@ base::Result<Learned> learn(LearnRequest request,
         return base::fail(fit.error());
       }
       const base::Result<double> jitterS =
-          *isPlanned ? papers::sampleJitterS(one.run, learned.emulator) : 0.0;
+          *isPlanned ? training::sampleJitterS(one.run, learned.emulator) : 0.0;
       if (!jitterS) {
         return base::fail(jitterS.error());
       }

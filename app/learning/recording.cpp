@@ -15,11 +15,11 @@
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
 #include "emulator/identification.h"
-#include "papers/sparse_learning.h"
 #include "report/trace_source.h"
 #include "trace/analysis/trace_analysis.h"
 #include "trace/import/import.h"
 #include "trace/remark.h"
+#include "training/sparse_learning.h"
 
 namespace rivulet::learning {
 
@@ -102,11 +102,11 @@ base::Result<Recording> readRecording(const RecordingFile& file,
   if (!program) {
     return base::fail(program.error());
   }
-  papers::TrapezoidRules rules;
+  training::TrapezoidRules rules;
   for (std::size_t axis = 0; axis < rules.accelerationMmPerS2.size(); ++axis) {
     rules.accelerationMmPerS2[axis] = machine.axes[axis].accelerationMmPerS2Max;
   }
-  auto run = papers::runOfProgram(motion, *program, runName(file.trace), rules);
+  auto run = training::runOfProgram(motion, *program, runName(file.trace), rules);
   if (!run) {
     return base::fail(run.error());
   }

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/utc.h"
+#include "report/experiments/svg_plot.h"
 #include "report/markup.h"
-#include "report/svg_plot.h"
 
 namespace rivulet::report {
 

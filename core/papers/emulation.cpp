@@ -18,10 +18,10 @@
 #include "emulator/limits.h"
 #include "papers/learned_machine.h"
 #include "papers/planned_run.h"
-#include "papers/recorded_run.h"
-#include "papers/sparse_learning.h"
 #include "trace/import/import.h"
 #include "trace/motion.h"
+#include "training/recorded_run.h"
+#include "training/sparse_learning.h"
 
 namespace rivulet::papers {
 
@@ -76,7 +76,7 @@ base::Result<Runs> loadRuns(const fs::path& folder) {
         runs.learned, [&](const TrainingRun& other) { return other.name == run.name + "_250hz"; });
   });
   if (runs.learned.empty() || runs.tested.empty()) {
-    return base::fail(RecordedRunError::FileUnreadable,
+    return base::fail(training::RecordedRunError::FileUnreadable,
                       "There must be traces of G1, G2, G3 or circles to learn from, and of other "
                       "designs to test.",
                       data.string());
@@ -102,7 +102,8 @@ std::vector<TrainingRun> loadSparseRuns(const fs::path& folder) {
     if (!imported) {
       continue;
     }
-    auto run = runOfProgram(trace::motionOf(*imported), *program, file.stem().string(), {});
+    auto run =
+        training::runOfProgram(trace::motionOf(*imported), *program, file.stem().string(), {});
     if (run) {
       runs.push_back(std::move(*run));
     }
@@ -190,7 +191,7 @@ WorstOfOthers testOnOthers(const Emulator& emulator, const std::vector<TrainingR
   for (TrainingRun run : tested) {
     const auto fit = emulator::testRun(emulator, run);
     const double beganS = run.observedAt.front();
-    alignClock(run, emulator);
+    training::alignClock(run, emulator);
     const auto fitted = emulator::testRun(emulator, run);
     if (fit && fitted) {
       worst.mm = std::fmax(worst.mm, addFit(table, *fit));
@@ -215,16 +216,16 @@ base::Result<double> leaveOneOut(const std::vector<TrainingRun>& sparse, Table& 
     if (rest.empty() || rest.size() == sparse.size()) {
       continue;
     }
-    const auto emulator = learnWithClocks(rest);
+    const auto emulator = training::learnWithClocks(rest);
     if (!emulator) {
       return base::fail(emulator.error());
     }
     for (TrainingRun run : sparse) {
       if (run.name.starts_with(design)) {
-        alignClock(run, *emulator);
+        training::alignClock(run, *emulator);
         if (const auto fit = emulator::testRun(*emulator, run)) {
           worstMm = std::fmax(worstMm, addFit(table, *fit));
-          const auto jitterS = sampleJitterS(run, *emulator);
+          const auto jitterS = training::sampleJitterS(run, *emulator);
           table.rows.back().push_back(jitterS ? fmt::format("{:.2f}", 1e3 * *jitterS) : "");
         }
       }
@@ -238,7 +239,7 @@ base::Result<void> addSparse(Experiment& result, const std::vector<TrainingRun>&
                              const std::vector<TrainingRun>& tested,
                              const std::function<double()>& cpuSeconds) {
   const double beginS = cpuSeconds();
-  const auto all = learnWithClocks(sparse);
+  const auto all = training::learnWithClocks(sparse);
   const double learnS = cpuSeconds() - beginS;
   if (!all) {
     return base::fail(all.error());

@@ -13,8 +13,8 @@
 #include "base/file.h"
 #include "machine/machine.h"
 #include "papers/planned_run.h"
-#include "papers/recorded_run.h"
 #include "trace/motion.h"
+#include "training/recorded_run.h"
 
 namespace rivulet::papers {
 
@@ -92,7 +92,7 @@ Result<TrainingRun> plannedFrom(const fs::path& program, const TrainingRun& reco
   for (std::size_t axis = 0; axis < recorded.axes.size(); ++axis) {
     startMm.set(axis, recorded.axes[axis].reference.front());
   }
-  auto blocks = parseRecordedProgram(*text, startMm);
+  auto blocks = training::parseRecordedProgram(*text, startMm);
   if (!blocks) {
     return base::fail(blocks.error());
   }

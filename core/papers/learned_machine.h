@@ -23,7 +23,7 @@ namespace rivulet::papers {
 /// points by the look-ahead of the virtual machine, positions by the emulator as its servo.
 /// @param folder  with `programs` (see recorded_run.h)
 /// @param designs  as recorded; named as the programs
-/// @return RecordedRunError
+/// @return training::RecordedRunError
 [[nodiscard]] base::Result<void> addPredictedDesigns(
     Experiment& experiment, const std::filesystem::path& folder, const emulator::Emulator& emulator,
     std::span<const emulator::TrainingRun> designs);

@@ -13,7 +13,7 @@
 
 #include "base/units.h"
 #include "papers/planned_run.h"
-#include "papers/recorded_run.h"
+#include "training/recorded_run.h"
 
 namespace rivulet::papers {
 
@@ -26,7 +26,7 @@ using base::Vec3;
 constexpr double kStandingMmPerS = 1e-6;
 
 /// From the first to the last motion, without programmed dwells (G4).
-double movingSeconds(const std::vector<RecordedSample>& samples) {
+double movingSeconds(const std::vector<training::RecordedSample>& samples) {
   double seconds = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i].pathMmPerS > kStandingMmPerS || samples[i - 1].pathMmPerS > kStandingMmPerS) {
@@ -84,7 +84,7 @@ Result<void> compareTimes(const std::filesystem::path& folder, const PlannerChan
               {}};
   for (const char* name :
        {"G1_g61", "G2_g61", "G3_g61", "corners_F3000_g61", "star5_F3000_g61", "cam_F3000_g61"}) {
-    const Result<RecordedRun> run = loadRecordedRun(folder, name);
+    const Result<training::RecordedRun> run = training::loadRecordedRun(folder, name);
     if (!run) {
       return base::fail(run.error());
     }
@@ -114,7 +114,7 @@ Result<void> compareLimits(const std::filesystem::path& folder, const PlannerCha
   for (const char* name : {"G1_g64p001", "G2_g64p001", "G3_g64p001", "cam_F3000_g64p001",
                            "corners_F3000_g64p001", "star5_F3000_g64p001", "roundsq_r5_F3000_g61",
                            "roundsq_r5_F3000_g64p001", "circle_r10_g61", "circle_r25_g61"}) {
-    const Result<RecordedRun> run = loadRecordedRun(folder, name);
+    const Result<training::RecordedRun> run = training::loadRecordedRun(folder, name);
     if (!run) {
       return base::fail(run.error());
     }
@@ -139,7 +139,8 @@ Result<void> compareLimits(const std::filesystem::path& folder, const PlannerCha
 
 Result<void> compareCorners(const std::filesystem::path& folder, const PlannerChange& wrong,
                             Experiment& result) {
-  const Result<RecordedRun> run = loadRecordedRun(folder, "corners_F3000_g64p001");
+  const Result<training::RecordedRun> run =
+      training::loadRecordedRun(folder, "corners_F3000_g64p001");
   if (!run) {
     return base::fail(run.error());
   }

@@ -14,15 +14,10 @@ namespace rivulet::papers {
 
 namespace {
 
-constexpr double kSeconds = kFigure13S;
+constexpr double kSeconds = pipeline::kFigure13S;
 constexpr double kPerSecond = 1e6;  // the net counts microseconds
-constexpr petri::Word kUsPerMs = 1000;
-/// Values of the parameter `policy` of the net.
-constexpr petri::Word kOrdered = 0;
-constexpr petri::Word kDataFlow = 1;
-constexpr petri::Word kPrinted = 2;
 
-std::string nameOf(const Figure13Reading& reading) {
+std::string nameOf(const pipeline::Figure13Reading& reading) {
   return fmt::format("{}; {}, {}; {}", reading.asPrinted ? "printed" : "ordered",
                      reading.executionMs, reading.taskCycleMs, reading.processors);
 }
@@ -32,7 +27,7 @@ Plot plotOf(const ParallelRun& run, petri::Word cycleMs, const char* policy) {
   plot.title = fmt::format("Cycle of position control {} ms, {}", cycleMs, policy);
   plot.xLabel = "time (s)";
   plot.yLabel = "data in the buffer";
-  for (std::size_t buffer = 0; buffer < kBufferCount; ++buffer) {
+  for (std::size_t buffer = 0; buffer < pipeline::kBufferCount; ++buffer) {
     Series series;
     series.name = fmt::format("B{}", buffer + 1);
     series.style = SeriesStyle::Steps;
@@ -48,7 +43,7 @@ Plot plotOf(const ParallelRun& run, petri::Word cycleMs, const char* policy) {
 std::vector<std::string> rowOf(const std::string& first, const std::string& second,
                                const ParallelRun& run) {
   std::vector<std::string> row{first, second};
-  for (std::size_t buffer = 0; buffer < kBufferCount; ++buffer) {
+  for (std::size_t buffer = 0; buffer < pipeline::kBufferCount; ++buffer) {
     row.push_back(
         fmt::format("{:.1f} ({:.0f} %)", run.mean[buffer], 100.0 * run.emptyShare[buffer]));
   }
@@ -110,7 +105,7 @@ Figure13Finding nearZero2Ms(const ParallelRun& dependency, const ParallelRun& fl
 
 Figure13Finding equalSpeed10Ms(const ParallelRun& dependency, const ParallelRun& flow) {
   const auto isEqual = [](double ms) {
-    const auto cycleMs = static_cast<double>(kFigure13CyclesMs[kAt10Ms]);
+    const auto cycleMs = static_cast<double>(pipeline::kFigure13CyclesMs[kAt10Ms]);
     return std::abs(ms / cycleMs - 1.0) <= kEqualSpeed;
   };
   const double ms = productionMs(dependency);
@@ -139,7 +134,7 @@ Figure13Finding notAffected15Ms(const ParallelRun& dependency, const ParallelRun
 }
 
 Figure13Finding balanceOnlyAt10Ms(const Figure13Runs& runs) {
-  std::array<double, kFigure13CyclesMs.size()> gain{};
+  std::array<double, pipeline::kFigure13CyclesMs.size()> gain{};
   for (std::size_t i = 0; i < gain.size(); ++i) {
     gain[i] = leastLevel(runs.byDataFlow[i]) - leastLevel(runs.byDependency[i]);
   }
@@ -158,8 +153,8 @@ base::Result<Table> readings(Experiment& experiment) {
   table.columns = {"priorities; execution, task cycle (ms); processors"};
   std::vector<std::size_t> supporting;
   std::size_t alike = 0;
-  const std::vector<Figure13Reading> all = figure13Readings();
-  for (const Figure13Reading& reading : all) {
+  const std::vector<pipeline::Figure13Reading> all = pipeline::figure13Readings();
+  for (const pipeline::Figure13Reading& reading : all) {
     const auto runs = runFigure13(reading);
     if (!runs) {
       return base::fail(runs.error());
@@ -217,8 +212,8 @@ base::Result<Table> preemptions(Experiment& experiment) {
   for (const petri::Word cycleMs : kCyclesMs) {
     table.columns.push_back(fmt::format("cycle {} ms", cycleMs));
   }
-  for (const Figure13Reading& reading : figure13Readings()) {
-    if (reading.processors != Figure13Reading{}.processors) {
+  for (const pipeline::Figure13Reading& reading : pipeline::figure13Readings()) {
+    if (reading.processors != pipeline::Figure13Reading{}.processors) {
       continue;
     }
     for (const bool dataFlow : {false, true}) {
@@ -228,14 +223,14 @@ base::Result<Table> preemptions(Experiment& experiment) {
       std::vector<std::string> row{nameOf(reading), dataFlow ? "data flow" : "task dependency"};
       for (std::size_t i = 0; i < kCyclesMs.size(); ++i) {
         const auto run =
-            runParallelCnc(figure13Parameters(reading, kCyclesMs[i], dataFlow), kSeconds);
+            runParallelCnc(pipeline::figure13Parameters(reading, kCyclesMs[i], dataFlow), kSeconds);
         if (!run) {
           return base::fail(run.error());
         }
         row.push_back(fmt::format("{:.0f} of {:.0f} ({:.0f})", run->preemptions, run->releases,
                                   run->releasesAtEnd));
-        if (reading.executionMs == Figure13Reading{}.executionMs) {
-          Count& count = i < kFigure13CyclesMs.size() ? published : others;
+        if (reading.executionMs == pipeline::Figure13Reading{}.executionMs) {
+          Count& count = i < pipeline::kFigure13CyclesMs.size() ? published : others;
           count.releases += run->releases;
           count.atEnd += run->releasesAtEnd;
           count.preemptions += run->preemptions;
@@ -258,44 +253,13 @@ base::Result<Table> preemptions(Experiment& experiment) {
 
 }  // namespace
 
-petri::ParameterValues figure13Parameters(petri::Word cycleMs, petri::Word policy) {
-  return {{"position_cycle", kUsPerMs * cycleMs},
-          {"policy", policy},
-          {"processors", Figure13Reading{}.processors},
-          {"execution", kUsPerMs * Figure13Reading{}.executionMs}};
-}
-
-petri::ParameterValues figure13Parameters(const Figure13Reading& reading, petri::Word cycleMs,
-                                          bool dataFlow) {
-  return {{"position_cycle", kUsPerMs * cycleMs},
-          {"policy", dataFlow ? kDataFlow : (reading.asPrinted ? kPrinted : kOrdered)},
-          {"processors", reading.processors},
-          {"execution", kUsPerMs * reading.executionMs},
-          {"task_cycle", kUsPerMs * reading.taskCycleMs}};
-}
-
-std::vector<Figure13Reading> figure13Readings() {
-  struct Timing {
-    petri::Word executionMs;
-    petri::Word taskCycleMs;
-  };
-  std::vector<Figure13Reading> readings;
-  for (const bool asPrinted : {true, false}) {
-    for (const Timing& timing : {Timing{10, 0}, Timing{10, 5}, Timing{5, 5}}) {
-      for (const petri::Word processors : {4, 5, 6}) {
-        readings.push_back({asPrinted, timing.executionMs, timing.taskCycleMs, processors});
-      }
-    }
-  }
-  return readings;
-}
-
-base::Result<Figure13Runs> runFigure13(const Figure13Reading& reading) {
+base::Result<Figure13Runs> runFigure13(const pipeline::Figure13Reading& reading) {
   Figure13Runs runs;
-  for (std::size_t i = 0; i < kFigure13CyclesMs.size(); ++i) {
+  for (std::size_t i = 0; i < pipeline::kFigure13CyclesMs.size(); ++i) {
     for (const bool dataFlow : {false, true}) {
-      auto run =
-          runParallelCnc(figure13Parameters(reading, kFigure13CyclesMs[i], dataFlow), kSeconds);
+      auto run = runParallelCnc(
+          pipeline::figure13Parameters(reading, pipeline::kFigure13CyclesMs[i], dataFlow),
+          kSeconds);
       if (!run) {
         return base::fail(run.error());
       }
@@ -315,23 +279,6 @@ std::vector<Figure13Finding> findingsOf(const Figure13Runs& runs) {
           balanceOnlyAt10Ms(runs)};
 }
 
-LevelReader::LevelReader(const petri::Net& net) : m_place(net.placeOf("datarec")) {
-  const petri::ColourId drec = net.places[m_place].colour;
-  m_time = net.offsetOf(drec, "tm");
-  m_number = net.offsetOf(drec, "BNO");
-  m_data = net.offsetOf(drec, "data");
-}
-
-std::optional<BufferLevel> LevelReader::read(const petri::Recorded& recorded) const {
-  if (recorded.place != m_place) {
-    return std::nullopt;
-  }
-  const petri::Words& value = *recorded.value;
-  return BufferLevel{static_cast<std::size_t>(value[m_number] - 1),
-                     static_cast<double>(value[m_time]) / kPerSecond,
-                     static_cast<double>(value[m_data])};
-}
-
 base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameters, double seconds) {
   const auto net = petri::loadNet("p3", parameters);
   if (!net) {
@@ -342,7 +289,7 @@ base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameter
     levels.push_back({});
   }
   const std::size_t timeoutPlace = net->placeOf("Top.CNC.Position.timeout");
-  const LevelReader reader(*net);
+  const pipeline::LevelReader reader(*net);
   petri::Simulator simulator(*net);
   simulator.setRecorder([&](const petri::Recorded& recorded) {
     if (const auto level = reader.read(recorded)) {
@@ -363,7 +310,7 @@ base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameter
     }
   });
   simulator.run(static_cast<petri::Word>(seconds * kPerSecond));
-  for (std::size_t buffer = 0; buffer < kBufferCount; ++buffer) {
+  for (std::size_t buffer = 0; buffer < pipeline::kBufferCount; ++buffer) {
     auto& levels = run.levels[buffer];
     levels.push_back({buffer, seconds, levels.back().level});
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
@@ -415,12 +362,12 @@ base::Result<Experiment> parallelCncExperiment() {
   constexpr std::array<Policy, 3> kPolicies{{{"task dependency, priorities printed", true, false},
                                              {"task dependency, ordered", false, false},
                                              {"data flow", true, true}}};
-  for (const petri::Word cycleMs : kFigure13CyclesMs) {
+  for (const petri::Word cycleMs : pipeline::kFigure13CyclesMs) {
     for (const Policy& policy : kPolicies) {
-      Figure13Reading reading;
+      pipeline::Figure13Reading reading;
       reading.asPrinted = policy.asPrinted;
       const auto run =
-          runParallelCnc(figure13Parameters(reading, cycleMs, policy.dataFlow), kSeconds);
+          runParallelCnc(pipeline::figure13Parameters(reading, cycleMs, policy.dataFlow), kSeconds);
       if (!run) {
         return base::fail(run.error());
       }

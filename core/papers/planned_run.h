@@ -10,7 +10,7 @@
 
 #include "base/vec3.h"
 #include "machine/config.h"
-#include "papers/recorded_run.h"
+#include "training/recorded_run.h"
 
 namespace rivulet::papers {
 

@@ -18,7 +18,7 @@
 #include "papers/figures.h"
 #include "papers/null_models.h"
 #include "papers/planned_run.h"
-#include "papers/recorded_run.h"
+#include "training/recorded_run.h"
 
 namespace rivulet::papers {
 
@@ -60,13 +60,13 @@ struct Design {
 };
 
 /// The set points that our planner makes of the program, from the time at which it began to move.
-std::vector<base::Vec3> plannedSetPoints(const RecordedRun& run) {
+std::vector<base::Vec3> plannedSetPoints(const training::RecordedRun& run) {
   const bool exactStops =
       !run.blocks.empty() && run.blocks.front().end == machine::BlockEnd::ExactStop;
   const base::Vec3 start = run.samples.front().commandMm;
   const PlannedRun plan =
       planRun(run.blocks, start, recordedMachine(exactStops ? kExactStopShare : 1.0));
-  const auto moved = std::ranges::find_if(run.samples, [&](const RecordedSample& sample) {
+  const auto moved = std::ranges::find_if(run.samples, [&](const training::RecordedSample& sample) {
     return base::distance(sample.commandMm, start) > 0.0;
   });
   const double beganS =
@@ -76,9 +76,9 @@ std::vector<base::Vec3> plannedSetPoints(const RecordedRun& run) {
   return points;
 }
 
-double rmsBetween(const std::vector<base::Vec3>& planned, const RecordedRun& run) {
+double rmsBetween(const std::vector<base::Vec3>& planned, const training::RecordedRun& run) {
   double sum = 0.0;
-  for (const RecordedSample& sample : run.samples) {
+  for (const training::RecordedSample& sample : run.samples) {
     const auto at = static_cast<std::size_t>(std::lround(sample.timeS / kStepS));
     const double apart =
         base::distance(planned[std::min(at, planned.size() - 1)], sample.commandMm);
@@ -89,16 +89,16 @@ double rmsBetween(const std::vector<base::Vec3>& planned, const RecordedRun& run
 
 Result<Design> loadDesign(const std::filesystem::path& folder, const std::string& name) {
   const std::string file = name + "_g61";
-  const auto run = loadRecordedRun(folder, file);
+  const auto run = training::loadRecordedRun(folder, file);
   if (!run) {
     return base::fail(run.error());
   }
-  const auto observed = loadObservedSamples(folder, file);
+  const auto observed = training::loadObservedSamples(folder, file);
   if (!observed) {
     return base::fail(observed.error());
   }
   if (run->samples.empty()) {
-    return base::fail(RecordedRunError::Malformed, "The recording has no rows.", file);
+    return base::fail(training::RecordedRunError::Malformed, "The recording has no rows.", file);
   }
   const std::vector<base::Vec3> planned = plannedSetPoints(*run);
   Design design;
@@ -109,7 +109,7 @@ Result<Design> loadDesign(const std::filesystem::path& folder, const std::string
     seen.axes[0].reference.push_back(point.x);
     seen.axes[1].reference.push_back(point.y);
   }
-  for (const ObservedSample& sample : *observed) {
+  for (const training::ObservedSample& sample : *observed) {
     seen.observedAt.push_back(sample.timeS);
     seen.axes[0].observed.push_back(sample.xMm);
     seen.axes[1].observed.push_back(sample.yMm);

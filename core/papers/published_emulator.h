@@ -30,7 +30,7 @@ struct PublishedEmulatorOptions {
 /// Set points are planned from the programs, as the paper's are; actual positions and speeds are
 /// those that an OPC UA client saw.
 /// @param folder  with `programs`, `data` and `data/opcua` (see recorded_run.h)
-/// @return RecordedRunError, EmulatorError
+/// @return training::RecordedRunError, EmulatorError
 [[nodiscard]] base::Result<Experiment> runPublishedEmulator(
     const std::filesystem::path& folder, base::Executor& executor,
     const PublishedEmulatorOptions& options);

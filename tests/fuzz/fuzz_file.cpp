@@ -31,7 +31,6 @@
 #include "opcua/control_map.h"
 #include "opcua/revocation.h"
 #include "opcua/user_certificate.h"
-#include "papers/recorded_run.h"
 #include "petri/export.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
@@ -47,6 +46,7 @@
 #include "trace/control_trace.h"
 #include "trace/formula.h"
 #include "trace/import/columns.h"
+#include "training/recorded_run.h"
 #include "trust/trust_store.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
@@ -227,15 +227,15 @@ void readEvents(std::string_view text) {
 }
 
 void readRecordedSamples(std::string_view text) {
-  checkResult(papers::parseRecordedSamples(text));
+  checkResult(training::parseRecordedSamples(text));
 }
 
 void readObservedSamples(std::string_view text) {
-  checkResult(papers::parseObservedSamples(text));
+  checkResult(training::parseObservedSamples(text));
 }
 
 void readRecordedProgram(std::string_view text) {
-  checkResult(papers::parseRecordedProgram(text, {}));
+  checkResult(training::parseRecordedProgram(text, {}));
 }
 
 void readRevocations(std::string_view bytes) {

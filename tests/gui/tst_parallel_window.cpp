@@ -140,7 +140,7 @@ class TestParallelWindow : public QObject {
 
   /// Each step fires what the net fires when nobody looks, and shows the same tokens.
   void stepsAsTheNetDoes() {
-    const auto net = petri::loadNet("p3", papers::figure13Parameters(10, 0));
+    const auto net = petri::loadNet("p3", pipeline::figure13Parameters(10, 0));
     QVERIFY(net.has_value());
     petri::Simulator simulator(*net);
     QCOMPARE(part<QComboBox>("netPage")->count(), static_cast<int>(net->pages.size()));
@@ -212,7 +212,7 @@ class TestParallelWindow : public QObject {
                              kRunMs);
     QVERIFY2(note().contains(QStringLiteral("nothing more is played")), qPrintable(note()));
     const auto run =
-        papers::runParallelCnc(papers::figure13Parameters(cycleMs, policy), papers::kFigure13S);
+        papers::runParallelCnc(pipeline::figure13Parameters(cycleMs, policy), pipeline::kFigure13S);
     QVERIFY(run.has_value());
     const std::vector<double> levels = lastLevels();
     QCOMPARE(levels.size(), run->levels.size());
@@ -220,7 +220,7 @@ class TestParallelWindow : public QObject {
       QCOMPARE(levels[i], run->levels[i].back().level);
       const auto& points = part<CurveChart>("netLevels")->curves()[i].points;
       QCOMPARE(points.size(), 2 * (run->levels[i].size() - 1));
-      QCOMPARE(points.back().x(), papers::kFigure13S);
+      QCOMPARE(points.back().x(), pipeline::kFigure13S);
     }
   }
 

@@ -6,8 +6,8 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
-#include "report/experiment_report.h"
-#include "report/svg_plot.h"
+#include "report/experiments/experiment_report.h"
+#include "report/experiments/svg_plot.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

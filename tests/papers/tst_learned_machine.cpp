@@ -7,9 +7,9 @@
 
 #include "papers/design_study.h"
 #include "papers/learned_machine.h"
-#include "papers/sparse_learning.h"
 #include "papers/tampering.h"
 #include "support/test_program.h"
+#include "training/sparse_learning.h"
 
 using namespace rivulet;
 using namespace rivulet::papers;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "papers/lookahead.h"
-#include "papers/recorded_run.h"
 #include "support/test_program.h"
+#include "training/recorded_run.h"
 
 using namespace rivulet;
 
@@ -16,7 +16,7 @@ class TestLookahead : public QObject {
 
  private Q_SLOTS:
   void readsPrograms() {
-    const auto blocks = papers::parseRecordedProgram(
+    const auto blocks = training::parseRecordedProgram(
         "(comment)\nG21 G17 G90\nG64 P0.01\nG1 X15 Y0 F600\nG3 X20 Y5 I0 J5\nG4 "
         "P0.5\nG61\nX0\nM2\n",
         {});
@@ -27,21 +27,21 @@ class TestLookahead : public QObject {
     QVERIFY((*blocks)[1].arc.has_value());
     QVERIFY(std::abs((*blocks)[1].arc->sweepRad - std::acos(0.0)) < 1e-12);
     QVERIFY((*blocks)[2].end == machine::BlockEnd::ExactStop);
-    QVERIFY(!papers::parseRecordedProgram("G1 X1.2.3\n", {}));
+    QVERIFY(!training::parseRecordedProgram("G1 X1.2.3\n", {}));
     // A comment that nobody ends goes to the end of the line.
-    const auto open = papers::parseRecordedProgram("G1 X1 (as far as here\nX2\n", {});
+    const auto open = training::parseRecordedProgram("G1 X1 (as far as here\nX2\n", {});
     QVERIFY(open);
     QCOMPARE(open->size(), std::size_t{2});
   }
 
   void readsTables() {
     const auto samples =
-        papers::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,other,v_path\n0.001,1,2,3,9,4.5\n");
+        training::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,other,v_path\n0.001,1,2,3,9,4.5\n");
     QVERIFY(samples);
     QCOMPARE(samples->size(), std::size_t{1});
     QCOMPARE(samples->front().pathMmPerS, 4.5);
-    QVERIFY(!papers::parseRecordedSamples("t_s,x_cmd\n0,1\n"));
-    QVERIFY(!papers::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,v_path\n0,1,2,3\n"));
+    QVERIFY(!training::parseRecordedSamples("t_s,x_cmd\n0,1\n"));
+    QVERIFY(!training::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,v_path\n0,1,2,3\n"));
   }
 
   /// Cycle times with exact stops within 3 % of the recorded planner; no axis limit exceeded.

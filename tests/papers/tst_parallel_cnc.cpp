@@ -156,7 +156,7 @@ class SixTasks {
   Counts m_counts;
 };
 
-SixTasks::Settings settingsOf(const papers::Figure13Reading& reading, petri::Word cycleMs,
+SixTasks::Settings settingsOf(const pipeline::Figure13Reading& reading, petri::Word cycleMs,
                               bool dataFlow) {
   using Policy = SixTasks::Policy;
   return {dataFlow ? Policy::DataFlow : (reading.asPrinted ? Policy::Printed : Policy::Ordered),
@@ -164,7 +164,7 @@ SixTasks::Settings settingsOf(const papers::Figure13Reading& reading, petri::Wor
           1000 * reading.taskCycleMs, 1000 * cycleMs};
 }
 
-QByteArray textOf(const papers::Figure13Reading& reading, petri::Word cycleMs, bool dataFlow) {
+QByteArray textOf(const pipeline::Figure13Reading& reading, petri::Word cycleMs, bool dataFlow) {
   return QByteArray(reading.asPrinted ? "printed" : "ordered") + ", " +
          QByteArray::number(static_cast<int>(reading.executionMs)) + " ms, " +
          QByteArray::number(static_cast<int>(reading.taskCycleMs)) + " ms, " +
@@ -181,18 +181,18 @@ std::string verdicts(const papers::Figure13Runs& runs) {
   return text;
 }
 
-papers::Figure13Runs runsWith(const papers::Figure13Reading& reading,
+papers::Figure13Runs runsWith(const pipeline::Figure13Reading& reading,
                               const petri::ParameterValues& changes) {
   papers::Figure13Runs runs;
-  for (std::size_t i = 0; i < papers::kFigure13CyclesMs.size(); ++i) {
+  for (std::size_t i = 0; i < pipeline::kFigure13CyclesMs.size(); ++i) {
     for (const bool dataFlow : {false, true}) {
       petri::ParameterValues values =
-          papers::figure13Parameters(reading, papers::kFigure13CyclesMs[i], dataFlow);
+          pipeline::figure13Parameters(reading, pipeline::kFigure13CyclesMs[i], dataFlow);
       for (const auto& [name, value] : changes) {
         values[name] = value;
       }
       (dataFlow ? runs.byDataFlow : runs.byDependency)[i] =
-          *papers::runParallelCnc(values, papers::kFigure13S);
+          *papers::runParallelCnc(values, pipeline::kFigure13S);
     }
   }
   return runs;
@@ -207,12 +207,12 @@ class TestParallelCnc : public QObject {
   /// The net and the small simulation have nothing in common but [P3].
   void netAgreesWithAnIndependentSimulation() {
     int cells = 0;
-    for (const papers::Figure13Reading& reading : papers::figure13Readings()) {
+    for (const pipeline::Figure13Reading& reading : pipeline::figure13Readings()) {
       for (const petri::Word cycleMs : {2, 10, 12, 13, 15}) {
         for (const bool dataFlow : {false, true}) {
           const QByteArray where = textOf(reading, cycleMs, dataFlow);
           const auto net = papers::runParallelCnc(
-              papers::figure13Parameters(reading, cycleMs, dataFlow), papers::kFigure13S);
+              pipeline::figure13Parameters(reading, cycleMs, dataFlow), pipeline::kFigure13S);
           QVERIFY(net.has_value());
           const SixTasks::Counts other =
               SixTasks(settingsOf(reading, cycleMs, dataFlow)).run(3'000'000);
@@ -220,7 +220,7 @@ class TestParallelCnc : public QObject {
           QVERIFY2(net->preemptions == static_cast<double>(other.preemptions), where.constData());
           QVERIFY2(std::abs(net->waitingShare - static_cast<double>(other.waitedUs) / 3e6) < 1e-9,
                    where.constData());
-          for (std::size_t b = 0; b < papers::kBufferCount; ++b) {
+          for (std::size_t b = 0; b < pipeline::kBufferCount; ++b) {
             QVERIFY2(std::abs(net->mean[b] - other.mean[b]) < 1e-6, where.constData());
           }
           ++cells;
@@ -253,13 +253,13 @@ class TestParallelCnc : public QObject {
   void eachFindingCanFail() {
     struct Wrong {
       const char* name;
-      papers::Figure13Reading reading;
+      pipeline::Figure13Reading reading;
       petri::ParameterValues changes;
     };
-    const papers::Figure13Reading printed;
-    papers::Figure13Reading ordered;
+    const pipeline::Figure13Reading printed;
+    pipeline::Figure13Reading ordered;
     ordered.asPrinted = false;
-    papers::Figure13Reading enough;
+    pipeline::Figure13Reading enough;
     enough.processors = 6;
     const std::vector<Wrong> machines{
         {"tasks three times as slow", ordered, {{"execution", 30'000}}},
@@ -307,18 +307,18 @@ class TestParallelCnc : public QObject {
   /// With tasks of 10 ms and the cycles of [P3] a task ends whenever position control gets ready.
   void preemptsOnlyOffTheGrid() {
     for (const bool asPrinted : {true, false}) {
-      papers::Figure13Reading reading;
+      pipeline::Figure13Reading reading;
       reading.asPrinted = asPrinted;
-      for (const petri::Word cycleMs : papers::kFigure13CyclesMs) {
+      for (const petri::Word cycleMs : pipeline::kFigure13CyclesMs) {
         for (const bool dataFlow : {false, true}) {
           const auto run = papers::runParallelCnc(
-              papers::figure13Parameters(reading, cycleMs, dataFlow), papers::kFigure13S);
+              pipeline::figure13Parameters(reading, cycleMs, dataFlow), pipeline::kFigure13S);
           QCOMPARE(run->preemptions, 0.0);
           QVERIFY(run->releases > 100.0);
         }
       }
-      const auto off = papers::runParallelCnc(papers::figure13Parameters(reading, 13, false),
-                                              papers::kFigure13S);
+      const auto off = papers::runParallelCnc(pipeline::figure13Parameters(reading, 13, false),
+                                              pipeline::kFigure13S);
       QVERIFY(off->preemptions > 0.0);
       QVERIFY(off->preemptions <= off->releases - off->releasesAtEnd);
     }

@@ -10,9 +10,9 @@
 #include "base/text.h"
 #include "emulator/emulator_error.h"
 #include "papers/published_emulator.h"
-#include "papers/recorded_run.h"
 #include "platform/thread_executor.h"
 #include "support/test_program.h"
+#include "training/recorded_run.h"
 
 using namespace rivulet;
 
@@ -33,19 +33,19 @@ class TestPublishedEmulator : public QObject {
  private Q_SLOTS:
   void readsWhatAClientSaw() {
     const auto samples =
-        papers::parseObservedSamples("t_s,x,y,vx,vy,keep\n0.1,1,2,3,4,1\n0.2,5,6,7,8,0\n");
+        training::parseObservedSamples("t_s,x,y,vx,vy,keep\n0.1,1,2,3,4,1\n0.2,5,6,7,8,0\n");
     QVERIFY(samples);
     QCOMPARE(samples->size(), std::size_t{2});
     QCOMPARE(samples->back().yMm, 6.0);
     QCOMPARE(samples->back().xMmPerS, 7.0);
-    QVERIFY(!papers::parseObservedSamples("t_s,x,y,vx\n0.1,1,2,3\n"));
+    QVERIFY(!training::parseObservedSamples("t_s,x,y,vx\n0.1,1,2,3\n"));
   }
 
   void saysWhichFileIsMissing() {
     parallel::ThreadExecutor executor;
     const auto result = papers::runPublishedEmulator("/no/such/folder", executor, {});
     QVERIFY(!result);
-    QVERIFY(result.error().code == papers::RecordedRunError::FileUnreadable);
+    QVERIFY(result.error().code == training::RecordedRunError::FileUnreadable);
     QVERIFY(result.error().text().find("G1_g61") != std::string::npos);
   }
 

@@ -10,7 +10,7 @@
 
 #include "base/share.h"
 #include "papers/catalogue.h"
-#include "report/experiment_report.h"
+#include "report/experiments/experiment_report.h"
 #include "report/sweep_part.h"
 #include "support/test_program.h"
 

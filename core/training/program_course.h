@@ -13,7 +13,7 @@
 #include "base/vec3.h"
 #include "machine/prepared.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 /// The rules of that planner, as far as they are known.
 struct TrapezoidRules {
@@ -30,4 +30,4 @@ struct TrapezoidRules {
     std::span<const machine::PreparedMotion> blocks, base::Vec3 startMm,
     const TrapezoidRules& rules = {});
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training

@@ -9,8 +9,8 @@
 #include "base/random.h"
 #include "emulator/emulator_error.h"
 #include "emulator/identification.h"
-#include "papers/sparse_learning.h"
 #include "support/test_program.h"
+#include "training/sparse_learning.h"
 
 using namespace rivulet;
 using namespace rivulet::papers;

@@ -15,7 +15,7 @@
 #include "base/vec3.h"
 #include "machine/prepared.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 enum class RecordedRunError { FileUnreadable = 1, Malformed };
 
@@ -64,7 +64,7 @@ struct ObservedSample {
 [[nodiscard]] base::Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder,
                                                         const std::string& name);
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training
 
 template <>
-struct std::is_error_code_enum<rivulet::papers::RecordedRunError> : std::true_type {};
+struct std::is_error_code_enum<rivulet::training::RecordedRunError> : std::true_type {};

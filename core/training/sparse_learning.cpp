@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "papers/sparse_learning.h"
+#include "training/sparse_learning.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@
 #include "emulator/emulator_error.h"
 #include "emulator/identification.h"
 #include "emulator/monitor.h"
-#include "papers/recorded_run.h"
+#include "training/recorded_run.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 namespace {
 
@@ -268,4 +268,4 @@ base::Result<TrainingRun> runOfProgram(const trace::Motion& motion, std::string_
   return run;
 }
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training

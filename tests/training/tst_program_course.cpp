@@ -4,9 +4,9 @@
 #include <QFileInfo>
 #include <QtTest>
 
-#include "papers/program_course.h"
-#include "papers/recorded_run.h"
 #include "support/test_program.h"
+#include "training/program_course.h"
+#include "training/recorded_run.h"
 
 using namespace rivulet::papers;
 using rivulet::base::Vec3;

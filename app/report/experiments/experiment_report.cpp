@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "report/experiment_report.h"
+#include "report/experiments/experiment_report.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "base/sha256.h"
+#include "report/experiments/svg_plot.h"
 #include "report/markup.h"
-#include "report/svg_plot.h"
 
 namespace rivulet::report {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "papers/program_course.h"
+#include "training/program_course.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "machine/path_piece.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::vector<Vec3> trapezoidCourse(std::span<const PreparedMotion> blocks, Vec3 s
   return setPoints;
 }
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training

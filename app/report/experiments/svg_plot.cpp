@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "report/svg_plot.h"
+#include "report/experiments/svg_plot.h"
 
 #include <fmt/format.h>
 

@@ -14,10 +14,10 @@
 #include "base/result.h"
 #include "emulator/emulator.h"
 #include "emulator/training_run.h"
-#include "papers/program_course.h"
 #include "trace/motion.h"
+#include "training/program_course.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 /// X and Y of a trace, with the set points that a planner of these rules makes of the program.
 /// @param motion   actual positions; its own set points, if there are any, are not looked at
@@ -51,4 +51,4 @@ void alignClock(emulator::TrainingRun& run, const emulator::Emulator& emulator);
 [[nodiscard]] base::Result<void> requireSteadyClock(const emulator::TrainingRun& run,
                                                     const emulator::Emulator& emulator);
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "papers/recorded_run.h"
+#include "training/recorded_run.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "base/units.h"
 #include "trace/import/compression.h"
 
-namespace rivulet::papers {
+namespace rivulet::training {
 
 namespace {
 
@@ -268,4 +268,4 @@ Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder, const s
   return run;
 }
 
-}  // namespace rivulet::papers
+}  // namespace rivulet::training
