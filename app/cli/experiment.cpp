@@ -28,7 +28,7 @@
 #include "platform/interrupt.h"
 #include "platform/thread_executor.h"
 #include "report/experiments/experiment_report.h"
-#include "report/experiments/svg_plot.h"
+#include "report/svg_plot.h"
 #include "report/sweep_part.h"
 
 namespace rivulet::cli {

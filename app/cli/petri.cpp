@@ -16,7 +16,7 @@
 #include "petri/simulator.h"
 #include "petri/state_space.h"
 #include "report/experiments/experiment_report.h"
-#include "report/experiments/svg_plot.h"
+#include "report/svg_plot.h"
 
 namespace rivulet::cli {
 

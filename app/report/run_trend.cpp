@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/utc.h"
-#include "report/experiments/svg_plot.h"
 #include "report/markup.h"
+#include "report/svg_plot.h"
 
 namespace rivulet::report {
 
@@ -117,16 +117,16 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts&
                       const std::string& title, const std::string& label, Figure figure) {
   const bool isDated = isByDay(trends);
   const double firstDay = isDated ? firstDayOf(trends) : 0.0;
-  papers::Plot plot{
+  base::Plot plot{
       title, isDated ? filled(texts.dayAxis, dateText(firstDay)) : texts.runAxis, label, {}};
   PlotLook look;
   look.decimalSign = texts.decimalSign;
   double largest = 0.0;
   for (std::size_t machine = 0; machine < trends.size(); ++machine) {
     const MachineTrend& trend = trends[machine];
-    papers::Series runs;
+    base::Series runs;
     runs.name = trend.machine;
-    runs.style = papers::SeriesStyle::Points;
+    runs.style = base::SeriesStyle::Points;
     double middle = 0.0;
     for (const RunFigures& run : trend.runs) {
       runs.x.push_back(isDated ? *run.atDay - firstDay : static_cast<double>(runs.x.size() + 1));
@@ -135,7 +135,7 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts&
       largest = std::max(largest, std::abs(run.*figure));
     }
     const Slope slope = slopeOf(trend, figure);
-    papers::Series line;
+    base::Series line;
     line.name = filled(texts.line, trend.machine);
     for (const double x : {runs.x.front(), runs.x.back()}) {
       line.x.push_back(x);

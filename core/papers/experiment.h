@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "base/plot.h"
+
 namespace rivulet::papers {
 
 /// What the agreement of a figure with its reference says.
@@ -54,28 +56,9 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-enum class SeriesStyle {
-  Line,
-  Points,
-  Steps,  ///< holds each value until the next
-  Band,   ///< between `y` and `yUpper`
-};
-
-struct Series {
-  std::string name;
-  SeriesStyle style = SeriesStyle::Line;
-  bool fromPaper = false;  ///< drawn so that it differs from ours even without colour
-  std::vector<double> x;
-  std::vector<double> y;
-  std::vector<double> yUpper;  ///< Band only
-};
-
-struct Plot {
-  std::string title;
-  std::string xLabel;  ///< with unit
-  std::string yLabel;
-  std::vector<Series> series;
-};
+using base::Plot;
+using base::Series;
+using base::SeriesStyle;
 
 struct Experiment {
   std::string name;   ///< "table1"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/experiments/experiment_report.h"
-#include "report/experiments/svg_plot.h"
+#include "report/svg_plot.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "base/sha256.h"
-#include "report/experiments/svg_plot.h"
 #include "report/markup.h"
+#include "report/svg_plot.h"
 
 namespace rivulet::report {
 

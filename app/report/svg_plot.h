@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "papers/experiment.h"
+#include "base/plot.h"
 
 namespace rivulet::report {
 
@@ -21,6 +21,6 @@ struct PlotLook {
 };
 
 /// The same plot gives the same text, to the byte.
-[[nodiscard]] std::string svgPlot(const papers::Plot& plot, const PlotLook& look = {});
+[[nodiscard]] std::string svgPlot(const base::Plot& plot, const PlotLook& look = {});
 
 }  // namespace rivulet::report

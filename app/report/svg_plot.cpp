@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "report/experiments/svg_plot.h"
+#include "report/svg_plot.h"
 
 #include <fmt/format.h>
 
@@ -17,9 +17,9 @@
 
 namespace rivulet::report {
 
-using papers::Plot;
-using papers::Series;
-using papers::SeriesStyle;
+using base::Plot;
+using base::Series;
+using base::SeriesStyle;
 
 namespace {
 
