@@ -26,6 +26,10 @@ struct PathTimeOptions {
   /// ascending. A STOPRE after the last point does not count: the program ends there.
   std::vector<std::uint32_t> pausesBehind;
   double pauseS = 0.0;  ///< standstill at each, in addition to braking and accelerating
+  /// For less work: hundreds of blocks are planned at once, and of a trajectory with more points
+  /// than this, so many are followed, in stretches spread evenly over it. What lies between takes
+  /// as much longer than its length at its feed as they do. Nothing: all are, block by block.
+  std::optional<std::size_t> followedMax{};
   /// Called now and then with the share done; false: cancel.
   std::function<bool(double share)> progress;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/contract.h"
 
@@ -94,7 +95,42 @@ void PathPlanner::append(const PreparedMotion& motion) {
 }
 
 void PathPlanner::append(const RoughMotion& rough) {
+  if (m_unplanned.may && !isStanding()) {
+    if (m_unplanned.motions.empty()) {
+      m_unplanned.undo = undoOfLast();
+    }
+    m_unplanned.motions.push_back(rough);
+  }
+  extend(rough, !m_unplanned.may);
+}
+
+void PathPlanner::settle() {
+  if (plan()) {
+    m_unplanned.motions.clear();
+    return;
+  }
+  takeBack(m_unplanned.undo);
+  planFrom(m_pieces.size() - 1, true);
+  m_appended -= m_unplanned.motions.size();
+  for (const RoughMotion& rough : std::exchange(m_unplanned.motions, {})) {
+    extend(rough, true);
+  }
+}
+
+PathPlanner::Undo PathPlanner::undoOfLast() const {
+  return {m_pieces.back(), m_blocks.back(), m_pieces.size(), m_blocks.size()};
+}
+
+void PathPlanner::takeBack(const Undo& undo) {
+  m_blocks.resize(undo.blocks);
+  m_blocks.back() = undo.block;
+  m_pieces.resize(undo.pieces - 1);
+  m_pieces.push_back(undo.piece);
+}
+
+void PathPlanner::extend(const RoughMotion& rough, bool plansAtOnce) {
   const PreparedMotion& motion = rough.motion;
+  m_isPlaced = m_isPlaced && m_pieces.size() > 1;  // the first one may change
   ++m_appended;
   Block block;
   block.line = motion.line;
@@ -127,27 +163,33 @@ void PathPlanner::append(const RoughMotion& rough) {
                         m_blocks.back().dynamics == motion.dynamics && !m_aborting;
   const std::size_t last = m_pieces.size() - 1;
   if (mayRunOn) {
-    const Undo undo{m_pieces.back(), m_blocks.back()};
+    const Undo undo = undoOfLast();
     Block openBlock = block;
     Piece openPiece = piece;
     if (connect(openBlock, openPiece)) {
       push(openBlock, openPiece);
       m_blocks.push_back(openBlock);
-      if (planFrom(last)) {
+      if (planFrom(last, plansAtOnce)) {
         return;
       }
-      m_blocks.pop_back();
     }
-    m_pieces.resize(last);
-    m_pieces.push_back(undo.piece);
-    m_blocks.back() = undo.block;
+    takeBack(undo);
   }
   push(block, piece);
   m_blocks.push_back(block);
-  planFrom(mayRunOn ? last : m_pieces.size() - 1);
+  planFrom(mayRunOn ? last : m_pieces.size() - 1, plansAtOnce);
 }
 
-bool PathPlanner::planFrom(std::size_t index) {
+bool PathPlanner::planFrom(std::size_t index, bool atOnce) {
+  m_unplanned.from = std::min(m_unplanned.from, index);
+  return !atOnce || plan();
+}
+
+bool PathPlanner::plan() {
+  if (m_unplanned.from == Unplanned::kNone) {
+    return true;
+  }
+  const std::size_t index = std::exchange(m_unplanned.from, Unplanned::kNone);
   std::deque<SpeedSection> tail;
   for (std::size_t i = index; i < m_pieces.size(); ++i) {
     const Piece& piece = m_pieces[i];
@@ -170,6 +212,7 @@ bool PathPlanner::planFrom(std::size_t index) {
 }
 
 void PathPlanner::append(const PreparedDwell& dwell) {
+  settle();
   Block block;
   block.line = dwell.line;
   block.toMm = m_endMm;
@@ -400,6 +443,7 @@ void PathPlanner::push(Block& block, Piece piece) {
 }
 
 void PathPlanner::abort() {
+  settle();
   m_aborting = true;
 }
 
@@ -532,8 +576,16 @@ double PathPlanner::advance(double seconds) {
 }
 
 void PathPlanner::moveTo(double mm) {
-  const Piece& piece = m_pieces.front();
-  m_place = {piece.path, mm, piece.startDeg, piece.degPerMm, {}, {}};
+  if (!m_isPlaced) {
+    const Piece& piece = m_pieces.front();
+    m_place.path = piece.path;
+    m_place.startDeg = piece.startDeg;
+    m_place.degPerMm = piece.degPerMm;
+    m_isPlaced = true;
+  }
+  m_place.mm = mm;
+  m_place.exactMm.reset();
+  m_place.exactDeg.reset();
 }
 
 void PathPlanner::finishPiece() {
@@ -541,6 +593,7 @@ void PathPlanner::finishPiece() {
   moveTo(lengthMm);
   m_blockMm += lengthMm;
   m_pieces.pop_front();
+  m_isPlaced = false;
   m_ceiling.popFront();
   m_pathMm = 0.0;
   m_profile.reset();
@@ -563,6 +616,7 @@ void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock
 
 void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& executed) {
   double left = m_cycleS;
+  settle();
   takeOverride();
   if (!m_isCommitted && (m_standsAtEnd || m_aborting || m_override < m_ceiling.override())) {
     m_profile.reset();  // what slows down is decided anew in every cycle
@@ -611,7 +665,9 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
   m_finished = m_appended;
   m_blocks.clear();
   m_pieces.clear();
+  m_isPlaced = false;
   m_ceiling.clear();
+  m_unplanned.from = Unplanned::kNone;
   m_profile.reset();
   m_isCommitted = false;
   m_standsAtEnd = false;

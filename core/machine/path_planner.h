@@ -75,6 +75,11 @@ class PathPlanner {
   void append(const PreparedDwell& dwell);
   void append(PreparedActions actions);
 
+  /// Blocks appended between two cycles are planned together, also in motion: for whoever appends
+  /// hundreds at once. A corner that only the blocks behind it make passable in the motion in
+  /// progress is opened then, too.
+  void planTogether() { m_unplanned.may = true; }
+
   /// Who carries out actions; outlives the planner. Without one they take no time.
   void setAuxiliaryRun(AuxiliaryRun& auxiliaries) { m_auxiliaries = &auxiliaries; }
   /// Ends the wait of the actions in progress.
@@ -165,10 +170,28 @@ class PathPlanner {
   struct Undo {
     Piece piece;
     Block block;
+    std::size_t pieces = 0;
+    std::size_t blocks = 0;
+  };
+
+  /// What has been appended and not planned.
+  struct Unplanned {
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    bool may = false;                  ///< in motion, too
+    std::size_t from = kNone;          ///< first piece
+    std::vector<RoughMotion> motions;  ///< appended in motion
+    Undo undo;                         ///< takes them back
   };
 
   [[nodiscard]] Piece makePiece(const PathPiece& path, double feedMmPerS, Dynamics dynamics,
                                 const base::RotaryDeg& degPerMm) const;
+  /// @param plansAtOnce  else `settle` does
+  void extend(const RoughMotion& rough, bool plansAtOnce);
+  /// Plans what was to be planned together. If the motion in progress could not keep the limits,
+  /// once more block by block, each as far as it can.
+  void settle();
+  [[nodiscard]] Undo undoOfLast() const;
+  void takeBack(const Undo& undo);
   void push(Block& block, Piece piece);
   /// Opens the corner between the last piece and `next`, so that the path need not stand there.
   /// @return false if it has to
@@ -183,7 +206,8 @@ class PathPlanner {
   [[nodiscard]] double curvatureStepSpeed(const Piece& before, const Piece& after) const;
   /// Replans from a piece to the end.
   /// @return false if the motion in progress could not keep the limits; then nothing may stay
-  bool planFrom(std::size_t index);
+  bool planFrom(std::size_t index, bool atOnce);
+  bool plan();
   /// Speed limit of the piece in motion.
   [[nodiscard]] double capMmPerS() const;
   /// Applies the override that is set as soon as the motion is safe with it.
@@ -207,6 +231,7 @@ class PathPlanner {
   std::deque<Piece> m_pieces;
   double m_pathMm = 0.0;   ///< on the first piece
   double m_blockMm = 0.0;  ///< passed of the first block, in finished pieces
+  Unplanned m_unplanned;
   SpeedCeiling m_ceiling;  ///< a section for each piece
   SpeedState m_state;
   std::optional<SpeedProfile> m_profile;
@@ -221,6 +246,7 @@ class PathPlanner {
   std::uint64_t m_finished = 0;
   bool m_aborting = false;
   PathPlace m_place;
+  bool m_isPlaced = false;  ///< on the first piece
   base::Vec3 m_endMm;
   base::RotaryDeg m_endDeg;
   base::LineNumber m_line;

@@ -168,6 +168,45 @@ class TestPathTime : public QObject {
     QCOMPARE(time.totalS, timeOf(line(2, 10.0, 10.0)).totalS);
   }
 
+  /// A contour with bends and straight ways, rapids among them; with pauses and without.
+  void stretchesTellTheTimeOfTheWhole() {
+    gcode::Trajectory path;
+    base::Vec3 at{};
+    for (std::uint32_t i = 0; i < 30'000; ++i) {
+      const bool isRapid = i % 900 == 0;
+      const double course = 0.002 * i + 0.4 * std::sin(0.05 * i);
+      const double stepMm = isRapid ? 40.0 : 0.1 + 0.3 * (1.0 + std::sin(0.0007 * i));
+      at = at + stepMm * base::Vec3{std::cos(course), std::sin(course), 0.0};
+      gcode::TrajectoryPoint point;
+      point.positionMm = at;
+      point.feedMmPerS = isRapid ? 0.0 : 20.0 + 15.0 * std::sin(0.001 * i);
+      point.kind = isRapid ? gcode::MoveKind::Rapid : gcode::MoveKind::Feed;
+      point.line = {i + 1};
+      path.points.push_back(point);
+    }
+    for (const bool pauses : {false, true}) {
+      PathTimeOptions options;
+      options.pausesBehind = pauses ? every(14, 30'000) : std::vector<std::uint32_t>();
+      options.pauseS = 0.04;
+      const PathTime whole = timeOf(path, options);
+      options.followedMax = 30'000;
+      const PathTime together = timeOf(path, options);
+      QVERIFY2(std::abs(together.totalS / whole.totalS - 1.0) < 1e-4,
+               qPrintable(QStringLiteral("%1 %2").arg(together.totalS).arg(whole.totalS)));
+      options.followedMax = 6'000;
+      const PathTime stretches = timeOf(path, options);
+      QVERIFY2(std::abs(stretches.totalS / whole.totalS - 1.0) < 0.03,
+               qPrintable(QStringLiteral("%1 %2").arg(stretches.totalS).arg(whole.totalS)));
+      QCOMPARE(stretches.pauses, whole.pauses);
+      QCOMPARE(stretches.standingS, whole.standingS);
+      QCOMPARE(stretches.atS.size(), path.points.size());
+      QVERIFY(std::is_sorted(stretches.atS.begin(), stretches.atS.end()));
+      for (std::size_t i = 5'000; i < path.points.size(); i += 5'000) {
+        QVERIFY(std::abs(stretches.atS[i] - whole.atS[i]) < 0.03F * whole.atS[i]);
+      }
+    }
+  }
+
   void longProgramsGoThroughAndCanBeGivenUp() {
     const gcode::Trajectory path = line(100'000, 0.05, 50.0);
     std::vector<double> shares;
@@ -183,6 +222,8 @@ class TestPathTime : public QObject {
     QVERIFY(std::is_sorted(shares.begin(), shares.end()));
     QCOMPARE(shares.back(), 1.0);
     options.progress = [](double) { return false; };
+    QVERIFY(!pathTime(path, {0, 0, 0}, config(), options));
+    options.followedMax = 1'000;
     QVERIFY(!pathTime(path, {0, 0, 0}, config(), options));
     QCOMPARE(timeOf(gcode::Trajectory{}).totalS, 0.0);
   }
