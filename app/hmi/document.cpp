@@ -498,6 +498,9 @@ void Document::placePoints() {
 void Document::setRunning(bool isRunning) {
   m_motion.isRunning = isRunning;
   if (isRunning) {
+    if (m_timer.isBusy()) {
+      m_estimate.timesFor.reset();  // what it has told is a first figure
+    }
     m_timer.cancel();
     m_rehearsal.cancel();
     if (!m_rehearsed.outcome) {

@@ -15,6 +15,11 @@ namespace rivulet::session {
 
 namespace {
 
+/// Points that are followed of a longer program: for a first figure, and for the last one
+/// (`forecast::PathTimeOptions::followedMax`).
+constexpr std::size_t kFollowedFirst = 2'000;
+constexpr std::size_t kFollowed = 50'000;
+
 /// Of the points that are streamed. @param atS  one per point of the trajectory
 std::vector<float> ofStreamed(const overview::ProgramView& view, const std::vector<float>& atS) {
   std::vector<float> streamed;
@@ -27,8 +32,10 @@ std::vector<float> ofStreamed(const overview::ProgramView& view, const std::vect
 
 /// Computes the times that do not depend on the settings. @return false: cancelled
 bool reckonProgrammed(const overview::ProgramView& view, const machine::MachineConfig& machine,
-                      const std::function<bool(double)>& progress, overview::ProgramTimes& times) {
+                      std::size_t followedMax, const std::function<bool(double)>& progress,
+                      overview::ProgramTimes& times) {
   forecast::PathTimeOptions options;
+  options.followedMax = followedMax;
   options.progress = progress;
   const auto time = forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
   if (!time) {
@@ -45,8 +52,10 @@ std::optional<forecast::PathTime> reckonStreamed(const overview::ProgramView& vi
                                                  const machine::MachineConfig& machine,
                                                  const TimeSettings& settings,
                                                  const overview::PauseMap& pauses,
+                                                 std::size_t followedMax,
                                                  const std::function<bool(double)>& progress) {
   forecast::PathTimeOptions options;
+  options.followedMax = followedMax;
   options.feedMmPerS = settings.feedMmPerS;
   options.programFeeds = settings.programFeeds;
   options.pauseS = base::toSeconds(machine.standstillMean);
@@ -55,6 +64,26 @@ std::optional<forecast::PathTime> reckonStreamed(const overview::ProgramView& vi
              options.pausesBehind.begin());
   options.progress = progress;
   return forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
+}
+
+/// @param withoutPausesS  if it is known  @return nothing: cancelled
+std::optional<overview::RunTime> reckonRun(
+    const overview::ProgramView& view, const machine::MachineConfig& machine,
+    const TimeSettings& settings, const overview::PauseMap& pauses, std::size_t followedMax,
+    std::optional<double> withoutPausesS, const std::function<bool(double)>& progress) {
+  if (!withoutPausesS) {
+    const auto time = reckonStreamed(view, machine, settings, {}, followedMax, progress);
+    if (!time) {
+      return std::nullopt;
+    }
+    withoutPausesS = time->totalS;
+  }
+  const auto time = reckonStreamed(view, machine, settings, pauses, followedMax, progress);
+  if (!time) {
+    return std::nullopt;
+  }
+  return overview::RunTime{ofStreamed(view, time->atS), time->totalS, time->standingS, time->pauses,
+                           *withoutPausesS};
 }
 
 std::shared_ptr<const overview::PauseMap> planPauses(const overview::ProgramView& view,
@@ -110,39 +139,48 @@ void ProgramTimer::start(std::shared_ptr<const overview::ProgramView> view,
     };
     const auto pauses = planPauses(*view, settings);
     tell([pauses](ProgramTimer& timer, const auto& of) { Q_EMIT timer.planned(pauses, of); });
-    auto times = known;
-    if (!times) {
-      auto programmed = std::make_shared<overview::ProgramTimes>();
-      if (!reckonProgrammed(*view, machine, progress, *programmed)) {
-        return;
-      }
-      times = programmed;
-      tell([times](ProgramTimer& timer, const auto& of) {
-        timer.m_times = times;
-        Q_EMIT timer.estimated(times, of);
+    const auto isKnown = [&settings, &view](const Unpaused& of) {
+      return of.feedMmPerS == settings.feedMmPerS && of.programFeeds == settings.programFeeds &&
+             of.startMm == view->startMm;
+    };
+    const std::optional<double> withoutPausesS =
+        unpaused && isKnown(*unpaused) ? std::optional(unpaused->totalS) : std::nullopt;
+    auto times =
+        std::make_shared<overview::ProgramTimes>(known ? *known : overview::ProgramTimes());
+    // Each figure is told as soon as there is one: a copy, for the next ones change it.
+    const auto estimate = [&](bool isProgrammed) {
+      tell([isProgrammed, told = std::make_shared<const overview::ProgramTimes>(*times)](
+               ProgramTimer& timer, const auto& of) {
+        timer.m_times = isProgrammed ? told : timer.m_times;
+        Q_EMIT timer.estimated(told, of);
       });
-    }
-    if (!unpaused || unpaused->feedMmPerS != settings.feedMmPerS ||
-        unpaused->programFeeds != settings.programFeeds || !(unpaused->startMm == view->startMm)) {
-      const auto time = reckonStreamed(*view, machine, settings, {}, progress);
-      if (!time) {
+    };
+    const auto run = [&](std::size_t followedMax, std::optional<double> without) {
+      times->run = reckonRun(*view, machine, settings, *pauses, followedMax, without, progress);
+      return times->run.has_value();
+    };
+    const bool isLong = view->program->trajectory.points.size() > kFollowedFirst;
+    if (isLong) {
+      if ((!known && !reckonProgrammed(*view, machine, kFollowedFirst, progress, *times)) ||
+          !run(kFollowedFirst, withoutPausesS)) {
         return;
       }
-      unpaused = Unpaused{settings.feedMmPerS, settings.programFeeds, view->startMm, time->totalS};
+      estimate(false);
     }
-    const auto time = reckonStreamed(*view, machine, settings, *pauses, progress);
-    if (!time) {
+    if (!known) {
+      if (!reckonProgrammed(*view, machine, kFollowed, progress, *times)) {
+        return;
+      }
+      estimate(true);
+    }
+    if (!run(kFollowed, withoutPausesS)) {
       return;
     }
-    auto streamed = std::make_shared<overview::ProgramTimes>(*times);
-    streamed->run = overview::RunTime{ofStreamed(*view, time->atS), time->totalS, time->standingS,
-                                      time->pauses, unpaused->totalS};
-    tell([streamed, unpaused](ProgramTimer& timer, const auto& of) {
-      timer.m_stop.reset();
-      timer.m_times = streamed;
-      timer.m_unpaused = unpaused;
-      Q_EMIT timer.estimated(streamed, of);
-    });
+    unpaused = Unpaused{settings.feedMmPerS, settings.programFeeds, view->startMm,
+                        times->run->withoutPausesS};
+    tell([unpaused](ProgramTimer& timer, const auto& /*of*/) { timer.m_unpaused = unpaused; });
+    estimate(true);
+    tell([](ProgramTimer& timer, const auto& /*of*/) { timer.m_stop.reset(); });
   });
 }
 
