@@ -124,7 +124,7 @@ gcode::LoadOptions optionsOf(const std::string& file, const LoadingOptions& load
   return options;
 }
 
-/// The same text again, now block by block; the program gives it up. The parts are told as they are
+/// The same text again, now block by block. The parts are told as they are
 /// found: a program has as many of them as lines. They are kept only of a program of usual size
 /// that is understood, to see whether its job refuses it for their order.
 base::Result<job::Plan> planOf(const std::string& file, gcode::Program& program,
@@ -133,16 +133,16 @@ base::Result<job::Plan> planOf(const std::string& file, gcode::Program& program,
   constexpr std::size_t kPartsKept = 20'000;
   std::vector<job::Part> kept;
   bool keeps = program.isUnderstood();
-  auto plan = job::visitPlan(program.name, std::move(program.text), optionsOf(file, loading),
-                             [&](const job::Part& part) {
-                               keeps = keeps && kept.size() < kPartsKept;
-                               if (keeps) {
-                                 kept.push_back(part);
-                               } else {
-                                 kept = {};
-                               }
-                               each(part);
-                             });
+  auto plan = job::visitPlan(program, optionsOf(file, loading), [&](const job::Part& part) {
+    keeps = keeps && kept.size() < kPartsKept;
+    if (keeps) {
+      kept.push_back(part);
+    } else {
+      kept = {};
+    }
+    each(part);
+  });
+  program.text = {};
   if (plan) {
     plan->parts = std::move(kept);
   }

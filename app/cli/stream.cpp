@@ -892,8 +892,8 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   if (!program) {
     return false;  // said when it is loaded for its motion
   }
-  const auto plan = job::makePlan(program->name, program->text, loading,
-                                  jobProfile(options.endpoint, options.simulate));
+  const auto plan =
+      job::makePlan(*program, loading, jobProfile(options.endpoint, options.simulate));
   const std::size_t blocks = plan ? plan->actionCount() : 0;
   if (blocks == 0) {
     return false;

@@ -15,7 +15,7 @@ SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
                           const std::filesystem::path& path, bool asJob, double dryRunMm,
                           const job::Profile& machine) {
   options.subprogram = gcode::subprogramsBeside(path);
-  auto made = job::makePlan(program.name, program.text, options, machine);
+  auto made = job::makePlan(program, options, machine);
   if (!made) {
     return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
   }
@@ -32,6 +32,7 @@ SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
     }
   }
   if (isJob) {
+    plan->program.text = std::move(program.text);
     std::shared_ptr<const gcode::Program> streamed(plan, &plan->program);
     return {std::move(streamed), std::move(plan)};
   }

@@ -62,6 +62,10 @@ class BlockObserver {
                                                      const LoadOptions& options,
                                                      BlockObserver* observer);
 
+/// The same of a program that has been read. The result has no text: it is that of `read`.
+[[nodiscard]] base::Result<Program> interpretAgain(const Program& read, const LoadOptions& options,
+                                                   BlockObserver& observer);
+
 /// Where `loadProgram` looks for the subprograms of a file: in its folder.
 [[nodiscard]] std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogramsBeside(
     const std::filesystem::path& file);

@@ -60,12 +60,36 @@ std::size_t lineFeedsOf(std::string_view text) {
   return count;
 }
 
-/// The lines of a text by their number. @pre the text outlives it
+/// The lines of a text by their number, which seldom goes back. @pre the text outlives it
 class SourceLines {
  public:
-  SourceLines() = default;
-  explicit SourceLines(std::string_view text) : m_text(text) {
-    const std::size_t lines = lineFeedsOf(text) + 1;
+  explicit SourceLines(std::string_view text) : m_text(text), m_lexer(text) {}
+
+  [[nodiscard]] std::size_t memoryBytes() const {
+    return m_begins.capacity() * sizeof(m_begins[0]) + m_sizes.capacity() * sizeof(m_sizes[0]);
+  }
+  [[nodiscard]] std::string_view at(base::LineNumber line) {
+    if (line.value < m_lexer.lines() && m_begins.empty()) {
+      index();
+    }
+    if (!m_begins.empty()) {
+      const std::size_t index = line.value - std::size_t{1};
+      return index < m_begins.size() ? m_text.substr(m_begins[index], m_sizes[index])
+                                     : std::string_view();
+    }
+    while (m_lexer.lines() < line.value) {
+      const std::optional<std::string_view> next = m_lexer.nextLine();
+      if (!next) {
+        return {};
+      }
+      m_last = *next;
+    }
+    return m_last;
+  }
+
+ private:
+  void index() {
+    const std::size_t lines = lineFeedsOf(m_text) + 1;
     m_begins.reserve(lines);
     m_sizes.reserve(lines);
     nc::Lexer lexer(m_text);
@@ -75,17 +99,9 @@ class SourceLines {
     }
   }
 
-  [[nodiscard]] std::size_t memoryBytes() const {
-    return m_begins.capacity() * sizeof(m_begins[0]) + m_sizes.capacity() * sizeof(m_sizes[0]);
-  }
-  [[nodiscard]] std::string_view at(base::LineNumber line) const {
-    const std::size_t index = line.value - std::size_t{1};
-    return index < m_begins.size() ? m_text.substr(m_begins[index], m_sizes[index])
-                                   : std::string_view();
-  }
-
- private:
   std::string_view m_text;
+  nc::Lexer m_lexer;
+  std::string_view m_last;  ///< that it read
   std::vector<std::size_t> m_begins;
   std::vector<std::uint32_t> m_sizes;
 };
@@ -252,7 +268,7 @@ class Interpreter final : private nc::CallObserver {
         if (loaded) {
           LoadedFile& file = m_loaded[loaded->fileName];
           file.text = loaded->text;
-          file.lines = SourceLines(file.text);
+          file.lines.emplace(file.text);
         }
         return loaded;
       };
@@ -267,7 +283,8 @@ class Interpreter final : private nc::CallObserver {
       }
       return m_lines->at(place.line);
     }
-    return m_loaded[m_flow.fileName(place.file)].lines.at(place.line);
+    std::optional<SourceLines>& lines = m_loaded[m_flow.fileName(place.file)].lines;
+    return lines ? lines->at(place.line) : std::string_view();
   }
 
   void begin(std::span<const Token> tokens) {
@@ -688,7 +705,7 @@ class Interpreter final : private nc::CallObserver {
   std::optional<SourceLines> m_lines;  ///< of the program file, for the observer
   struct LoadedFile {
     std::string text;
-    SourceLines lines;
+    std::optional<SourceLines> lines;
   };
   std::map<std::string, LoadedFile> m_loaded;
   const nc::Language& m_language;

@@ -290,31 +290,23 @@ ControlSettings openSettings(const Program& program) {
   return open;
 }
 
-base::Result<Program> interpretProgram(std::string name, std::string text,
-                                       const LoadOptions& options) {
-  return interpretProgram(std::move(name), std::move(text), options, nullptr);
-}
+namespace {
 
-base::Result<Program> interpretProgram(std::string name, std::string text,
-                                       const LoadOptions& options, BlockObserver* observer) {
-  // Converted, a text is there twice.
-  const base::Budget& budget = options.budget;
-  if (auto fits = budget.require(2.0 * static_cast<double>(text.size()), "The program"); !fits) {
-    return base::fail(inFile(fits.error(), name));
-  }
-  text = base::asUtf8(std::move(text));
+/// Everything but text and hash.
+base::Result<Program> interpretText(const std::string& name, const std::string& text,
+                                    const LoadOptions& options, BlockObserver* observer) {
   LoadOptions own = options;
-  own.budget = budget.without(text.capacity());
+  own.budget = options.budget.without(text.capacity());
   Interpretation interpretation = interpret(text, own, name, observer);
   if (interpretation.refused) {
     return base::fail(inFile(std::move(*interpretation.refused), name));
   }
   if (interpretation.cancelled) {
-    return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));
+    return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", name);
   }
   if (interpretation.blocks == 0) {
     return base::fail(GcodeError::EmptyProgram,
-                      "The program has no blocks: choose a file with NC text.", std::move(name));
+                      "The program has no blocks: choose a file with NC text.", name);
   }
   std::optional<Ambiguity> ambiguity;
   if (interpretation.facts.dependsOnDialect && !interpretation.cancelled) {
@@ -329,10 +321,9 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
                                       {Severity::Error, ambiguity->line, 1,
                                        DiagnosticCode::DialectUnclear, describe(*ambiguity)});
   }
-  std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
-  Program program{std::move(name),
-                  std::move(text),
-                  std::move(hash),
+  Program program{name,
+                  {},
+                  {},
                   interpretation.dialect,
                   std::move(interpretation.dialectEvidence),
                   std::move(interpretation.trajectory),
@@ -346,6 +337,38 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
       return base::fail(inFile(std::move(applied.error()), program.name));
     }
     program.statistics.points = program.trajectory.points.size();
+  }
+  return program;
+}
+
+}  // namespace
+
+base::Result<Program> interpretProgram(std::string name, std::string text,
+                                       const LoadOptions& options) {
+  return interpretProgram(std::move(name), std::move(text), options, nullptr);
+}
+
+base::Result<Program> interpretProgram(std::string name, std::string text,
+                                       const LoadOptions& options, BlockObserver* observer) {
+  // Converted, a text is there twice.
+  if (auto fits = options.budget.require(2.0 * static_cast<double>(text.size()), "The program");
+      !fits) {
+    return base::fail(inFile(fits.error(), name));
+  }
+  text = base::asUtf8(std::move(text));
+  base::Result<Program> program = interpretText(name, text, options, observer);
+  if (program) {
+    program->hash = fmt::format("{:016x}", base::hashOfFile(text));
+    program->text = std::move(text);
+  }
+  return program;
+}
+
+base::Result<Program> interpretAgain(const Program& read, const LoadOptions& options,
+                                     BlockObserver& observer) {
+  base::Result<Program> program = interpretText(read.name, read.text, options, &observer);
+  if (program) {
+    program->hash = read.hash;
   }
   return program;
 }

@@ -167,9 +167,13 @@ struct Profile {
 [[nodiscard]] base::Result<Plan> makePlan(std::string name, std::string text,
                                           const gcode::LoadOptions& options = {},
                                           const Profile& profile = {});
+/// The same of a program that has been read. `Plan::program` has no text: it is that of `read`.
+[[nodiscard]] base::Result<Plan> makePlan(const gcode::Program& read,
+                                          const gcode::LoadOptions& options = {},
+                                          const Profile& profile = {});
 /// The same for a plan that is not kept: `each` gets the parts in their order, and the plan has
 /// none.
-[[nodiscard]] base::Result<Plan> visitPlan(std::string name, std::string text,
+[[nodiscard]] base::Result<Plan> visitPlan(const gcode::Program& read,
                                            const gcode::LoadOptions& options,
                                            const std::function<void(const Part&)>& each);
 

@@ -1310,6 +1310,10 @@ class Splitter final : public gcode::BlockObserver,
       return;
     }
     Stretch closed = *std::exchange(m_open, std::nullopt);
+    constexpr std::size_t kSpareMax = 1000;
+    if (closed.blocks.capacity() > closed.blocks.size() + kSpareMax) {
+      closed.blocks.shrink_to_fit();
+    }
     closed.pointCount = points - closed.firstPoint;
     closed.number = closed.pointCount > 0 ? ++m_stretches : 0;
     keep(std::move(closed));
@@ -1568,12 +1572,13 @@ class Splitter final : public gcode::BlockObserver,
   Box m_box;
 };
 
-base::Result<Plan> planOf(std::string name, std::string text, const gcode::LoadOptions& options,
-                          const Profile& profile, std::function<void(const Part&)> each) {
+/// @param interpret  with the splitter as its observer
+template <class Interpret>
+base::Result<Plan> planOf(const gcode::LoadOptions& options, const Profile& profile,
+                          std::function<void(const Part&)> each, const Interpret& interpret) {
   Plan plan;
   Splitter splitter(options, profile, std::move(each));
-  base::Result<gcode::Program> program =
-      gcode::interpretProgram(std::move(name), std::move(text), options, &splitter);
+  base::Result<gcode::Program> program = interpret(splitter);
   if (!program) {
     return base::fail(program.error());
   }
@@ -1586,12 +1591,21 @@ base::Result<Plan> planOf(std::string name, std::string text, const gcode::LoadO
 
 base::Result<Plan> makePlan(std::string name, std::string text, const gcode::LoadOptions& options,
                             const Profile& profile) {
-  return planOf(std::move(name), std::move(text), options, profile, {});
+  return planOf(options, profile, {}, [&](Splitter& splitter) {
+    return gcode::interpretProgram(std::move(name), std::move(text), options, &splitter);
+  });
 }
 
-base::Result<Plan> visitPlan(std::string name, std::string text, const gcode::LoadOptions& options,
+base::Result<Plan> makePlan(const gcode::Program& read, const gcode::LoadOptions& options,
+                            const Profile& profile) {
+  return planOf(options, profile, {},
+                [&](Splitter& splitter) { return gcode::interpretAgain(read, options, splitter); });
+}
+
+base::Result<Plan> visitPlan(const gcode::Program& read, const gcode::LoadOptions& options,
                              const std::function<void(const Part&)>& each) {
-  return planOf(std::move(name), std::move(text), options, {}, each);
+  return planOf(options, {}, each,
+                [&](Splitter& splitter) { return gcode::interpretAgain(read, options, splitter); });
 }
 
 }  // namespace rivulet::job

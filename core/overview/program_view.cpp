@@ -34,12 +34,32 @@ void takeMoves(ProgramView& view, const gcode::Trajectory& path) {
   }
 }
 
+/// The smallest ones of any number of values.
+class Smallest {
+ public:
+  void take(double value) {
+    if (m_values.size() < kSmallestShown) {
+      m_values.push_back(value);
+      std::push_heap(m_values.begin(), m_values.end());
+    } else if (value < m_values.front()) {
+      std::pop_heap(m_values.begin(), m_values.end());
+      m_values.back() = value;
+      std::push_heap(m_values.begin(), m_values.end());
+    }
+  }
+  [[nodiscard]] std::vector<double> ascending() && {
+    std::sort_heap(m_values.begin(), m_values.end());
+    return std::move(m_values);
+  }
+
+ private:
+  std::vector<double> m_values;  ///< a heap, the largest in front
+};
+
 void takeDistances(ProgramView& view) {
   const std::vector<gcode::StreamPoint>& points = view.points.points;
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  std::vector<double> timed;
-  timed.reserve(points.size());
+  Smallest distances;
+  Smallest timed;
   auto gap = view.gaps.begin();
   for (std::size_t i = 1; i < points.size(); ++i) {
     base::Vec3 fromMm = points[i - 1].positionMm;
@@ -49,9 +69,9 @@ void takeDistances(ProgramView& view) {
     }
     const double distance = base::distance(fromMm, points[i].positionMm);
     if (distance > 0.0) {  // else only rotary axes turn
-      distances.push_back(distance);
+      distances.take(distance);
       const double feedMmPerS = points[i].feedMmPerS;
-      timed.push_back(feedMmPerS > 0.0 ? distance * view.fastestMmPerS / feedMmPerS : distance);
+      timed.take(feedMmPerS > 0.0 ? distance * view.fastestMmPerS / feedMmPerS : distance);
     }
     switch (view.kinds[i]) {
       case gcode::MoveKind::Rapid:
@@ -69,13 +89,8 @@ void takeDistances(ProgramView& view) {
         break;
     }
   }
-  const auto smallest = [](std::vector<double>& list) {
-    const auto shown = static_cast<std::ptrdiff_t>(std::min(kSmallestShown, list.size()));
-    std::partial_sort(list.begin(), list.begin() + shown, list.end());
-    return std::vector<double>(list.begin(), list.begin() + shown);
-  };
-  view.smallestDistancesMm = smallest(distances);
-  view.smallestTimedMm = smallest(timed);
+  view.smallestDistancesMm = std::move(distances).ascending();
+  view.smallestTimedMm = std::move(timed).ascending();
 }
 
 /// The number of X, Y or Z in a native block, mm; NaN: there is none.
