@@ -82,9 +82,14 @@ bool beginsWithWord(std::string_view text, std::string_view upper) {
                     [](char a, char b) { return a == base::toUpper(b); });
 }
 
-bool isNameOfR(std::string_view name) {
-  return !name.empty() && name[0] == 'R' &&
-         std::all_of(name.begin() + 1, name.end(), [](char c) { return isDigit(c); });
+/// R, R5: no other name begins like that. @param text  from the name on
+bool beginsWithR(std::string_view text) {
+  if (text.empty() || base::toUpper(text[0]) != 'R') {
+    return false;
+  }
+  const auto* const end =
+      std::find_if(text.begin() + 1, text.end(), [](char c) { return !isDigit(c); });
+  return end == text.end() || !isNameLetter(*end);
 }
 
 }  // namespace
@@ -494,21 +499,19 @@ Reader::Result Reader::hash() {
 Reader::Result Reader::named() {
   const std::size_t from = m_at;
   const Place at = place();
+  if (m_notation.hasNames && beginsWithR(rest())) {
+    ++m_at;
+    Result made = rParameter(Op::R);
+    if (made) {
+      made->place = at;
+    }
+    return made;
+  }
   const std::string key = name();
-  if (m_notation.hasNames) {
-    if (key == "TRUE" || key == "FALSE") {
-      Expression made = node(Op::Number, at);
-      made.number = key == "TRUE" ? 1.0 : 0.0;
-      return made;
-    }
-    if (isNameOfR(key)) {
-      m_at = from + 1;
-      Result made = rParameter(Op::R);
-      if (made) {
-        made->place = at;
-      }
-      return made;
-    }
+  if (m_notation.hasNames && (key == "TRUE" || key == "FALSE")) {
+    Expression made = node(Op::Number, at);
+    made.number = key == "TRUE" ? 1.0 : 0.0;
+    return made;
   }
   const auto found = std::find_if(m_notation.functions.begin(), m_notation.functions.end(),
                                   [&key](const FunctionWord& f) { return f.word == key; });
