@@ -89,13 +89,19 @@ const QStringList kStream{QStringLiteral("stream"),   QStringLiteral("--simulate
                           QStringLiteral("--feed"),   QStringLiteral("3000"),
                           QStringLiteral("--points"), QStringLiteral("7")};
 
+const QStringList kPlan{QStringLiteral("feasibility"), QStringLiteral("--feed"),
+                        QStringLiteral("3000"),        QStringLiteral("--points"),
+                        QStringLiteral("7"),           QStringLiteral("--program")};
+const QStringList kPetri{QStringLiteral("petri"), QStringLiteral("simulate"),
+                         QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--until")};
+
 struct Work {
   const char* name;
   QStringList command;  ///< without its file
   const char* file;
-  std::string (*text)(int count);
-  int count;                ///< the input is as long as this, and ten times
-  bool isRecorded = false;  ///< the command gets the recording of a run with that text
+  std::string (*text)(int count);  ///< null: the command gets the count itself
+  int count;                       ///< the input is as long as this, and ten times
+  bool isRecorded = false;         ///< the command gets the recording of a run with that text
 };
 
 const std::array kWork{
@@ -107,6 +113,8 @@ const std::array kWork{
     Work{"analyse a recording", kAnalyse, "PART.NC", lines, 200, true},
     Work{"analyse a recording of corners in one place", kAnalyse, "PART.NC", corners, 100, true},
     Work{"import a table", kAnalyse, "TABLE.CSV", table, 2000},
+    Work{"plan and time", kPlan, "PART.NC", lines, 100},
+    Work{"play a Petri net", kPetri, "", nullptr, 500},
 };
 
 }  // namespace
@@ -130,7 +138,11 @@ class TestGrowth : public QObject {
   void count(const Work& work, int length, double& instructions) {
     const QString cli = QStringLiteral(RIVULET_CLI);
     QString path = m_folder.filePath(QString::fromUtf8(work.file));
-    QVERIFY(base::writeFile(path.toStdString(), work.text(length)).has_value());
+    if (work.text == nullptr) {
+      path = QString::number(length);
+    } else {
+      QVERIFY(base::writeFile(path.toStdString(), work.text(length)).has_value());
+    }
     QByteArray errors;
     if (work.isRecorded) {
       const QString recording = m_folder.filePath(QStringLiteral("run.recording"));
