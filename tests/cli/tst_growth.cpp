@@ -113,7 +113,7 @@ const std::array kWork{
     Work{"analyse a recording", kAnalyse, "PART.NC", lines, 200, true},
     Work{"analyse a recording of corners in one place", kAnalyse, "PART.NC", corners, 100, true},
     Work{"import a table", kAnalyse, "TABLE.CSV", table, 2000},
-    Work{"plan and time", kPlan, "PART.NC", lines, 100},
+    Work{"plan and time", kPlan, "PART.NC", lines, 300},
     Work{"play a Petri net", kPetri, "", nullptr, 500},
 };
 
