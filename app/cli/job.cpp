@@ -226,7 +226,7 @@ base::Result<void> JobCommand::prepare() {
   }
   known.tell(options);
   const auto makePlan = [&]() -> base::Result<job::Plan> {
-    auto plan = job::makePlan(*program, options, known.words);
+    auto plan = job::makePlan(program->name, program->text, options, known.words);
     return plan && m_options.dryRunMm > 0.0 ? job::dryPlan(std::move(*plan), m_options.dryRunMm)
                                             : std::move(plan);
   };
@@ -252,7 +252,6 @@ base::Result<void> JobCommand::prepare() {
     return base::fail(plan.error());
   }
   m_plan = std::move(*plan);
-  m_plan.program.text = std::move(program->text);
   if (base::Result<void> meant = requireMeaning(m_plan.program, !m_options.output.empty());
       !meant) {
     return meant;
