@@ -6,11 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "base/byte_source.h"
 #include "base/file.h"
 #include "base/file_lock.h"
 #include "base/hash.h"
+#include "platform/thread_executor.h"
 #include "platform/user_folders.h"
 #include "report/json_members.h"
 
@@ -42,10 +46,12 @@ std::string rememberedMapping(const std::string& layout) {
   return found != layouts.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// @param bytes    of a file of another tool, read with `mapping`
-base::Result<trace::Trace> parseAsRemembered(const std::string& bytes, trace::Trace trace,
-                                             const trace::TableMapping& mapping,
-                                             const base::Budget& budget) {
+/// Reads the trace, as often as it is asked for.
+using Parse = std::function<base::Result<trace::Trace>(const trace::TableMapping& mapping)>;
+
+/// @param trace  of a file of another tool, read with `mapping`
+base::Result<trace::Trace> parseAsRemembered(const Parse& parse, trace::Trace trace,
+                                             const trace::TableMapping& mapping) {
   const std::string remembered = rememberedMapping(trace.imported()->layout);
   auto known = trace::parseTableMapping(remembered);
   if (remembered.empty() || !known) {
@@ -53,13 +59,52 @@ base::Result<trace::Trace> parseAsRemembered(const std::string& bytes, trace::Tr
   }
   known->rateHz = mapping.rateHz ? mapping.rateHz : known->rateHz;
   trace = trace::Trace(trace::ImportedTrace());  // both would be there at once
-  auto mapped = trace::importTrace(bytes, *known, budget);
+  const auto mapped = parse(*known);
   if (!mapped) {
-    return trace::parseTrace(bytes, mapping, budget);
+    return parse(mapping);
   }
-  mapped->table.isCertain = true;  // somebody has said so
-  mapped->trace.remarks.push_back({trace::RemarkCode::Remembered, {remembered}});
-  return trace::Trace(std::move(*mapped));
+  trace::ImportedTrace said = *mapped->imported();
+  said.table.isCertain = true;  // somebody has said so
+  said.trace.remarks.push_back({trace::RemarkCode::Remembered, {remembered}});
+  return trace::Trace(std::move(said));
+}
+
+/// @return nothing: it is no large table
+base::Result<std::optional<trace::Trace>> readLarge(const std::filesystem::path& file,
+                                                    const trace::TableMapping& mapping,
+                                                    const base::Budget& budget,
+                                                    base::Executor& executor) {
+  auto source = base::FileBytes::open(file);
+  return source ? trace::readLargeTrace(*source, mapping, budget, &executor)
+                : base::fail(source.error());
+}
+
+base::Result<trace::Trace> openParsed(const Parse& parse, const std::string& name,
+                                      const std::string& columns, double rateHz) {
+  const auto inFile = [&name](base::Error error) {
+    error.context = name;
+    return base::fail(std::move(error));
+  };
+  auto mapping = trace::parseTableMapping(columns);
+  if (!mapping) {
+    return inFile(mapping.error());
+  }
+  mapping->rateHz = rateHz > 0.0 ? rateHz : mapping->rateHz;
+  auto trace = parse(*mapping);
+  if (!trace) {
+    return inFile(trace.error());
+  }
+  if (trace->imported() == nullptr) {
+    return trace;
+  }
+  if (columns.empty()) {
+    return parseAsRemembered(parse, std::move(*trace), *mapping);
+  }
+  // Failing to remember is no reason not to analyse.
+  if (const auto done = rememberMapping(trace->imported()->layout, columns); !done) {
+    fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
+  }
+  return trace;
 }
 
 }  // namespace
@@ -101,39 +146,41 @@ base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::files
 
 base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const std::string& columns,
                                      double rateHz, const base::Budget& budget) {
-  const auto bytes = base::readFile(file, budget);
-  return bytes ? openTraceBytes(*bytes, file.string(), columns, rateHz, budget)
-               : base::fail(bytes.error());
+  parallel::ThreadExecutor executor;
+  std::optional<std::string> bytes;
+  const Parse parse = [&](const trace::TableMapping& mapping) -> base::Result<trace::Trace> {
+    // What is no ordinary file can be read once only, and as a whole.
+    std::error_code ignored;
+    if (!bytes && std::filesystem::is_regular_file(file, ignored)) {
+      auto large = readLarge(file, mapping, budget, executor);
+      if (!large) {
+        return base::fail(large.error());
+      }
+      if (*large) {
+        return std::move(**large);
+      }
+    }
+    if (!bytes) {
+      auto read = base::readFile(file, budget);
+      if (!read) {
+        return base::fail(read.error());
+      }
+      bytes = std::move(*read);
+    }
+    return trace::parseTrace(*bytes, mapping, budget.without(bytes->capacity()), &executor);
+  };
+  return openParsed(parse, file.string(), columns, rateHz);
 }
 
 base::Result<trace::Trace> openTraceBytes(const std::string& bytes, const std::string& name,
                                           const std::string& columns, double rateHz,
                                           const base::Budget& budget) {
-  const auto inFile = [&name](base::Error error) {
-    error.context = name;
-    return base::fail(std::move(error));
-  };
-  auto mapping = trace::parseTableMapping(columns);
-  if (!mapping) {
-    return inFile(mapping.error());
-  }
-  mapping->rateHz = rateHz > 0.0 ? rateHz : mapping->rateHz;
+  parallel::ThreadExecutor executor;
   const base::Budget rest = budget.without(bytes.capacity());
-  auto trace = trace::parseTrace(bytes, *mapping, rest);
-  if (!trace) {
-    return inFile(trace.error());
-  }
-  if (trace->imported() == nullptr) {
-    return trace;
-  }
-  if (columns.empty()) {
-    return parseAsRemembered(bytes, std::move(*trace), *mapping, rest);
-  }
-  // Failing to remember is no reason not to analyse.
-  if (const auto done = rememberMapping(trace->imported()->layout, columns); !done) {
-    fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
-  }
-  return trace;
+  const Parse parse = [&](const trace::TableMapping& mapping) {
+    return trace::parseTrace(bytes, mapping, rest, &executor);
+  };
+  return openParsed(parse, name, columns, rateHz);
 }
 
 }  // namespace rivulet::report

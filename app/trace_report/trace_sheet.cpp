@@ -348,7 +348,7 @@ paper::Picture pathPicture(const trace::TraceAnalysis& analysis) {
     paper::Line line{{}, kMeasured, 0.25};
     for (std::size_t i = 0; i < motion.samples.size();
          i += 1 + motion.samples.size() / kPicturePoints) {
-      const trace::MotionSample& sample = motion.samples[i];
+      const trace::MotionSample sample = motion.samples[i];
       line.points.append(fromAbove(motion.hasActual ? sample.actualMm : sample.setMm));
     }
     picture.lines.push_back(line);
@@ -361,13 +361,15 @@ paper::Picture pathPicture(const trace::TraceAnalysis& analysis) {
 
 /// Up to which speed is shown, mm/s: some rapids must not flatten the feed of all other moves.
 /// @return nothing: all of it
-std::optional<double> speedShown(const std::vector<trace::MotionSample>& samples) {
+std::optional<double> speedShown(const trace::MotionSamples& samples) {
   constexpr double kOutlier = 4.0;
   constexpr double kRoom = 1.5;
   std::vector<double> speeds;
-  for (const trace::MotionSample& sample : samples) {
-    if (sample.pathMmPerS > 0.0) {
-      speeds.push_back(sample.pathMmPerS);
+  const trace::PackedValues all = samples.valuesOf(trace::MotionColumn::Speed);
+  trace::PackedReader<trace::PackedValues> reader(all);
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    if (reader[i] > 0.0) {
+      speeds.push_back(reader[i]);
     }
   }
   if (speeds.empty()) {
@@ -380,7 +382,7 @@ std::optional<double> speedShown(const std::vector<trace::MotionSample>& samples
 
 /// The lowest and the highest speed of each column of the picture, and the stops.
 paper::Picture speedPicture(const trace::TraceAnalysis& analysis) {
-  const std::vector<trace::MotionSample>& samples = analysis.motion.samples;
+  const trace::MotionSamples& samples = analysis.motion.samples;
   paper::Picture picture;
   picture.caption = TraceTexts::speed();
   picture.note = TraceTexts::noMotion();
@@ -404,16 +406,17 @@ paper::Picture speedPicture(const trace::TraceAnalysis& analysis) {
     line.points.append({base::toSeconds(sample.at - origin), base::mmPerMinFromMmPerS(speed)});
   };
   const std::size_t stride = 1 + samples.size() / (kPicturePoints / 2);
+  trace::MotionReader reader(samples);
   for (std::size_t begin = 0; begin < samples.size(); begin += stride) {
-    const auto first = samples.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last =
-        samples.begin() + static_cast<std::ptrdiff_t>(std::min(samples.size(), begin + stride));
-    const auto [low, high] = std::minmax_element(
-        first, last, [](const trace::MotionSample& a, const trace::MotionSample& b) {
-          return a.pathMmPerS < b.pathMmPerS;
-        });
-    add(low->at < high->at ? *low : *high);
-    add(low->at < high->at ? *high : *low);
+    trace::MotionSample low = reader[begin];
+    trace::MotionSample high = low;
+    for (std::size_t i = begin + 1; i < std::min(samples.size(), begin + stride); ++i) {
+      const trace::MotionSample& sample = reader[i];
+      low = sample.pathMmPerS < low.pathMmPerS ? sample : low;
+      high = sample.pathMmPerS < high.pathMmPerS ? high : sample;
+    }
+    add(low.at < high.at ? low : high);
+    add(low.at < high.at ? high : low);
   }
   picture.lines.push_back(line);
   return picture;

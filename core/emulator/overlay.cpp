@@ -72,13 +72,13 @@ void addLengths(trace::ShownTrace& shown, const Course& course, const TrainingRu
     const double mm = cubicAt(course.lengthMm, std::max(0.0, atS) / run.period);
     return std::clamp(mm, 0.0, course.path->lengthMm());
   };
-  for (std::size_t i = 0; i < motion.samples.size(); ++i) {
+  trace::MotionReader samples(motion.samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     const double atS = run.observedAt[i];
     const double toMm = lengthAt(atS + kAheadS);
-    const trace::PathPlace place = course.path->nearest(
-        motion.samples[i].actualMm, std::min(lengthAt(atS - kBehindS), toMm), toMm);
-    lengths->append(base::Instant{motion.samples[i].at - motion.samples.front().at},
-                    place.lengthMm);
+    const trace::PathPlace place =
+        course.path->nearest(samples[i].actualMm, std::min(lengthAt(atS - kBehindS), toMm), toMm);
+    lengths->append(base::Instant{samples[i].at - motion.samples.front().at}, place.lengthMm);
   }
   shown.signalSet.add({"program_length_act", "mm", std::move(lengths)});
   shown.programPath = course.path;
@@ -106,44 +106,46 @@ base::Result<Overlay> overlayOf(const Emulator& emulator, const TrainingRun& run
   trace::Motion machine;
   machine.hasSet = true;
   machine.hasActual = true;
-  machine.samples.resize(count);
+  std::vector<trace::MotionSample> samples(count);
   for (std::size_t i = 0; i < count; ++i) {
-    machine.samples[i].at = base::Instant{base::fromSeconds(run.observedAt[i])};
+    samples[i].at = base::Instant{base::fromSeconds(run.observedAt[i])};
   }
   if (count > 1) {
-    machine.step = (machine.samples.back().at - machine.samples.front().at) /
-                   static_cast<base::Duration::rep>(count - 1);
+    machine.step =
+        (samples.back().at - samples.front().at) / static_cast<base::Duration::rep>(count - 1);
   }
   for (const AxisTrack& track : run.axes) {
     const std::size_t axis = axisIndex(track.axis);
     for (std::size_t i = 0; i < count; ++i) {
-      machine.samples[i].setMm.set(axis, cubicAt(track.reference, run.observedAt[i] / run.period));
-      machine.samples[i].actualMm.set(axis, track.observed[i]);
+      samples[i].setMm.set(axis, cubicAt(track.reference, run.observedAt[i] / run.period));
+      samples[i].actualMm.set(axis, track.observed[i]);
     }
   }
-  trace::Motion emulated = machine;
+  std::vector<trace::MotionSample> emulatedSamples = samples;
   for (const AxisResiduals& one : *residuals) {
     const std::size_t axis = axisIndex(one.axis);
     for (std::size_t i = 0; i < count; ++i) {
-      emulated.samples[i].actualMm.set(axis, machine.samples[i].actualMm[axis] - one.mm[i]);
+      emulatedSamples[i].actualMm.set(axis, samples[i].actualMm[axis] - one.mm[i]);
     }
   }
   for (std::size_t i = 1; i < count; ++i) {
     const double stepS = run.observedAt[i] - run.observedAt[i - 1];
-    for (trace::Motion* motion : {&machine, &emulated}) {
-      motion->samples[i].pathMmPerS =
-          base::distance(motion->samples[i].actualMm, motion->samples[i - 1].actualMm) / stepS;
+    for (std::vector<trace::MotionSample>* of : {&samples, &emulatedSamples}) {
+      (*of)[i].pathMmPerS = base::distance((*of)[i].actualMm, (*of)[i - 1].actualMm) / stepS;
     }
   }
+  trace::Motion emulated = machine;
+  machine.samples = trace::MotionSamples(samples);
+  emulated.samples = trace::MotionSamples(emulatedSamples);
   const Course course = courseOf(run);
   auto shown = shownOf(machine, course, run, names.machine);
   for (const AxisResiduals& one : *residuals) {
-    auto samples = std::make_shared<trace::Envelope>();
+    auto departures = std::make_shared<trace::Envelope>();
     for (std::size_t i = 0; i < count; ++i) {
-      samples->append(base::Instant{machine.samples[i].at - machine.samples.front().at},
-                      kMicrometres * one.mm[i]);
+      departures->append(base::Instant{samples[i].at - samples.front().at},
+                         kMicrometres * one.mm[i]);
     }
-    shown->signalSet.add({names.departure[axisIndex(one.axis)], "µm", std::move(samples)});
+    shown->signalSet.add({names.departure[axisIndex(one.axis)], "µm", std::move(departures)});
   }
   return Overlay{std::move(shown), shownOf(emulated, course, run, names.emulator)};
 }

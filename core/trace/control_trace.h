@@ -93,6 +93,9 @@ enum class TraceError {
 /// What the analysis of a trace takes for each sample, beside the sample itself, bytes: a
 /// `MotionSample`, its speeds and what is drawn of it.
 inline constexpr std::size_t kAnalysedSampleBytes = 200;
+/// The same of a table, whose columns are those of the motion: speeds, extremes, and what is drawn
+/// of a program.
+inline constexpr std::size_t kAnalysedRowBytes = 80;
 /// What the trace takes with its analysis, bytes, without the names of its events.
 [[nodiscard]] std::size_t memoryBytes(const ControlTrace& trace);
 /// Lines that are read before somebody asks the budget again: they hold less than a megabyte.

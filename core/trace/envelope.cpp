@@ -34,12 +34,24 @@ Instant columnStart(Instant from, Duration span, std::size_t column, std::size_t
 
 }  // namespace
 
+Envelope::Envelope(PackedPoints points) : m_points(std::move(points)) {
+  RIVULET_ASSERT(m_points.size() < kNone);
+  PackedReader<PackedValues> values(m_points.values());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    count(i, values[i]);
+  }
+}
+
 void Envelope::append(Instant instant, double value) {
   RIVULET_ASSERT(m_points.empty() || m_points.timeAt(m_points.size() - 1) <= instant);
   RIVULET_ASSERT(m_points.size() < kNone);
-  merge(m_open, of(m_points.size(), value));
+  count(m_points.size(), value);
   m_points.append({instant, value});
-  if (m_points.size() % kLowest != 0) {
+}
+
+void Envelope::count(std::size_t index, double value) {
+  merge(m_open, of(index, value));
+  if ((index + 1) % kLowest != 0) {
     return;
   }
   // A level gets an entry when the last of its points arrives, built from the level below.

@@ -21,6 +21,10 @@ namespace rivulet::trace {
 
 class Envelope {
  public:
+  Envelope() = default;
+  /// Of samples that are there. O(points). @param points  in time order
+  explicit Envelope(PackedPoints points);
+
   /// Adds one value; NaN starts a gap that lasts until the next value. Amortised O(1).
   /// @param at  not before the last appended value
   void append(base::Instant at, double value);
@@ -62,6 +66,8 @@ class Envelope {
     std::uint32_t gapAt = kNone;
   };
 
+  /// Keeps the extremes of one more point.
+  void count(std::size_t index, double value);
   /// Adds a range of points that follows all those added so far.
   static void merge(Extremes& into, const Extremes& later);
   [[nodiscard]] static Extremes of(std::size_t index, double value);

@@ -16,6 +16,7 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "trace/export.h"
+#include "trace/packed_points.h"
 #include "trace/remark.h"
 #include "trace/signals.h"
 
@@ -30,11 +31,11 @@ namespace rivulet::trace {
 
 /// One row of numbers of a file.
 struct Hdf5Row {
-  std::string folder;          ///< "axes/x"; empty: the root
-  std::string name;            ///< its attribute `name`, or else that of the dataset
-  std::string unit;            ///< its attribute `unit` or `units`; empty: it has none
-  std::size_t count = 0;       ///< of values that the file declares
-  std::vector<double> values;  ///< shorter, if the file was cut off; NaN: cannot be read
+  std::string folder;     ///< "axes/x"; empty: the root
+  std::string name;       ///< its attribute `name`, or else that of the dataset
+  std::string unit;       ///< its attribute `unit` or `units`; empty: it has none
+  std::size_t count = 0;  ///< of values that the file declares
+  PackedValues values;    ///< shorter, if the file was cut off; NaN: cannot be read
 
   [[nodiscard]] std::string path() const { return folder.empty() ? name : folder + "/" + name; }
 };

@@ -33,6 +33,8 @@ constexpr const char* kChecksum = "checksum";
 constexpr const char* kVersion = "1";
 constexpr hsize_t kChunk = 16384;
 constexpr unsigned kDeflate = 4;
+/// Values of a dataset without chunks that are read at once.
+constexpr std::size_t kPieceMax = std::size_t{1} << 18U;
 /// Cycles of links end here.
 constexpr int kDepthMax = 16;
 constexpr std::size_t kObjectsMax = 20'000;
@@ -40,8 +42,8 @@ constexpr std::size_t kTextMax = 1000;
 /// Less than this part of a file is not worth the memory of the whole.
 constexpr std::uint64_t kGrowthMax = 100;
 // What is held of a file, with what is made of it, bytes.
-constexpr std::size_t kRowBytes = 1000;  // beside its values: names, role, remarks
-constexpr std::size_t kValueBytes = 2 * sizeof(double);
+constexpr std::size_t kRowBytes = 1000;                  // beside its values: names, role, remarks
+constexpr std::size_t kValueBytes = sizeof(double) + 2;  // packed at worst
 
 /// Not every build of the library can be used by several threads.
 std::mutex libraryMutex;
@@ -74,13 +76,50 @@ Handle made(hid_t id, Handle::Close close) {
   return {id, close};
 }
 
-/// Of the values as the file holds them.
-std::string checksumOf(const std::vector<double>& values) {
-  static_assert(std::endian::native == std::endian::little);
-  const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
-                               values.size() * sizeof(double));
-  return fmt::format("{:016x}", base::hashOf(bytes));
-}
+/// Of the values as the file holds them, piece by piece.
+class Checksum {
+ public:
+  void add(const std::vector<double>& values) {
+    static_assert(std::endian::native == std::endian::little);
+    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
+                                 values.size() * sizeof(double));
+    for (const char byte : bytes) {
+      m_hash = (m_hash ^ static_cast<unsigned char>(byte)) * base::kHashPrime;  // as `hashOf`
+    }
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", m_hash); }
+
+ private:
+  std::uint64_t m_hash = base::kHashBasis;
+};
+
+/// The library reads the bytes where they are: it neither copies nor frees nor changes them.
+struct SharedImage {
+  std::string_view bytes;
+
+  [[nodiscard]] H5FD_file_image_callbacks_t callbacks() {
+    return {allocate, copy, resize, release, keep, release, this};
+  }
+
+ private:
+  static void* memoryOf(void* image) {
+    return const_cast<char*>(static_cast<SharedImage*>(image)->bytes.data());
+  }
+  static void* allocate(size_t size, H5FD_file_image_op_t /*for*/, void* image) {
+    return size == static_cast<SharedImage*>(image)->bytes.size() ? memoryOf(image) : nullptr;
+  }
+  static void* copy(void* to, const void* from, size_t /*size*/, H5FD_file_image_op_t /*for*/,
+                    void* /*image*/) {
+    return to == from ? to : nullptr;
+  }
+  static void* resize(void* /*at*/, size_t /*size*/, H5FD_file_image_op_t /*for*/,
+                      void* /*image*/) {
+    return nullptr;
+  }
+  static herr_t release(void* /*at*/, H5FD_file_image_op_t /*for*/, void* /*image*/) { return 0; }
+  static void* keep(void* image) { return image; }
+  static herr_t release(void* /*image*/) { return 0; }
+};
 
 std::uint64_t littleEndian(std::string_view bytes, std::size_t at) {
   std::uint64_t value = 0;
@@ -157,7 +196,6 @@ class Reader {
   Reader(std::string_view bytes, const base::Budget& budget) : m_bytes(bytes), m_budget(budget) {}
 
   base::Result<Hdf5Content> read() {
-    hold(m_bytes.size());  // the library has a copy
     const Handle file = open();
     if (!file.ok() && !m_isExceeded) {
       return base::fail(ImportError::NotATable,
@@ -200,25 +238,27 @@ class Reader {
   Handle open() {
     const auto declared = declaredBytes(m_bytes);
     m_isCut = declared && *declared > m_bytes.size();
-    std::string filled;
-    std::string_view image = m_bytes;
+    m_image.bytes = m_bytes;
     const bool isFilled = m_isCut && *declared / kGrowthMax <= m_bytes.size();
     if (isFilled) {
-      hold(*declared, 2);  // here, and in the library
+      hold(*declared);
     }
     if (m_isExceeded) {
       return {-1, H5Fclose};
     }
     if (isFilled) {
-      filled = m_bytes;
-      filled.resize(*declared, '\0');
-      image = filled;
+      m_filled.reserve(*declared);
+      m_filled = m_bytes;
+      m_filled.resize(*declared, '\0');
+      m_image.bytes = m_filled;
     }
     const Handle access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     RIVULET_ASSERT(H5Pset_fapl_core(access.id(), 1U << 16U, false) >= 0);
-    // The library copies the image and does not write to it.
-    const bool isSet =
-        H5Pset_file_image(access.id(), const_cast<char*>(image.data()), image.size()) >= 0;
+    H5FD_file_image_callbacks_t callbacks = m_image.callbacks();
+    // A file that is opened to be read is not written to.
+    const bool isSet = H5Pset_file_image_callbacks(access.id(), &callbacks) >= 0 &&
+                       H5Pset_file_image(access.id(), const_cast<char*>(m_image.bytes.data()),
+                                         m_image.bytes.size()) >= 0;
     return {isSet ? H5Fopen("image", H5F_ACC_RDONLY, access.id()) : -1, H5Fclose};
   }
 
@@ -296,7 +336,7 @@ class Reader {
     // A chunk is unpacked and converted as a whole, beside the values that it has.
     m_longest = std::max<std::uint64_t>(m_longest, shape->count);
     if (!hold(kRowBytes) || !hold(shape->count, kValueBytes) || !fits(chunks.bytes(), 2) ||
-        !fits(m_longest, kAnalysedSampleBytes)) {
+        !fits(m_longest, kAnalysedRowBytes)) {
       m_isExceeded = true;
       return;
     }
@@ -310,7 +350,9 @@ class Reader {
     const std::size_t whole = m_isCut || layout == H5D_COMPACT
                                   ? wholeValues(dataset, layout, *shape, type.id())
                                   : shape->count;
-    const bool isWhole = readValues(dataset, space.id(), chunks, *shape, whole, row.values);
+    Checksum ofValues;
+    const bool isWhole =
+        readValues(dataset, space.id(), chunks, *shape, whole, row.values, ofValues);
     if (!isWhole) {
       noteDamaged(folder, name);
     }
@@ -318,7 +360,7 @@ class Reader {
     const std::string checksum = m_isOurs && whole == row.count && isWhole
                                      ? attributeText(dataset, kChecksum)
                                      : std::string();
-    if (!checksum.empty() && checksum != checksumOf(row.values)) {
+    if (!checksum.empty() && checksum != ofValues.text()) {
       noteDamaged(folder, name);
     } else if (!row.values.empty()) {
       m_content.rows.push_back(std::move(row));
@@ -441,30 +483,34 @@ class Reader {
 
   /// Piece by piece, so that a damaged one costs no other. @return false if one is damaged
   static bool readValues(hid_t dataset, hid_t space, const ChunkSizes& chunks, const Shape& shape,
-                         std::size_t count, std::vector<double>& values) {
-    std::size_t piece = count;
+                         std::size_t count, PackedValues& values, Checksum& checksum) {
+    std::size_t piece = std::min(count, kPieceMax);
     if (chunks.values() > 0) {
       piece = std::clamp<std::size_t>(chunks.values(), 1, std::max<std::size_t>(count, 1));
       piece *= std::max<std::size_t>(1, kChunk / piece);
     }
     bool isWhole = true;
     bool isAny = false;
-    values.assign(count, kNoValue);
+    std::vector<double> buffer;
     for (std::size_t at = 0; at < count; at += piece) {
       std::vector<hsize_t> from(shape.sizes.size(), 0);
       std::vector<hsize_t> size(shape.sizes.size(), 1);
       from[shape.axis] = at;
       size[shape.axis] = std::min(piece, count - at);
+      buffer.assign(size[shape.axis], kNoValue);
       const Handle memory = made(H5Screate_simple(1, &size[shape.axis], nullptr), H5Sclose);
       const bool isRead =
           chunks.areRight(dataset, at, size[shape.axis]) &&
           H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >=
               0 &&
-          H5Dread(dataset, H5T_NATIVE_DOUBLE, memory.id(), space, H5P_DEFAULT, &values[at]) >= 0;
+          H5Dread(dataset, H5T_NATIVE_DOUBLE, memory.id(), space, H5P_DEFAULT, buffer.data()) >= 0;
       if (!isRead) {
-        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at);
-        std::fill(begin, begin + static_cast<std::ptrdiff_t>(size[shape.axis]), kNoValue);
+        std::ranges::fill(buffer, kNoValue);
       }
+      for (const double value : buffer) {
+        values.push_back(value);
+      }
+      checksum.add(buffer);
       isWhole = isWhole && isRead;
       isAny = isAny || isRead;
     }
@@ -577,6 +623,8 @@ class Reader {
   }
 
   std::string_view m_bytes;
+  std::string m_filled;  ///< a file that was cut off
+  SharedImage m_image;
   base::Budget m_budget;
   bool m_isCut = false;
   bool m_isOurs = false;
@@ -670,7 +718,9 @@ void writeNumbers(hid_t group, std::string_view name, std::string_view unit,
         H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   }
   writeText(dataset.id(), "name", std::string(name));
-  writeText(dataset.id(), kChecksum, checksumOf(values));
+  Checksum checksum;
+  checksum.add(values);
+  writeText(dataset.id(), kChecksum, checksum.text());
   if (!unit.empty()) {
     writeText(dataset.id(), "unit", std::string(unit));
   }

@@ -30,6 +30,9 @@ class LineReader {
 
   explicit LineReader(std::string_view text) : m_rest(text) {}
   [[nodiscard]] std::optional<Line> next();
+  [[nodiscard]] std::size_t linesRead() const { return m_number; }
+  /// What has not been read.
+  [[nodiscard]] std::string_view rest() const { return m_rest; }
 
  private:
   std::string_view m_rest;

@@ -6,32 +6,22 @@
 /// @threadsafety plain values; pure functions.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "base/instant.h"
 #include "base/vec3.h"
 #include "trace/control_trace.h"
 #include "trace/import/import.h"
+#include "trace/motion_samples.h"
 #include "trace/signals.h"
 
 namespace rivulet::trace {
 
-struct MotionSample {
-  base::Instant at{};
-  base::Vec3 setMm;       ///< set point; valid if `Motion::hasSet`
-  base::Vec3 actualMm;    ///< after the servo; valid if `Motion::hasActual`
-  double pathMmPerS = 0;  ///< path speed, of the set point if there is one
-  double feedMmPerS = 0;  ///< programmed feed; NaN: not known
-  double overrideFactor = 1.0;
-  std::uint32_t line = 0;  ///< of the program on the control; 0: none
-};
-
 struct Motion {
-  std::vector<MotionSample> samples;  ///< times strictly ascending
-  std::vector<ControlEvent> events;   ///< what the control recorded besides
-  std::vector<SignalEvent> notes;     ///< what an imported file says besides
-  base::Duration step{};              ///< median time between two samples
+  MotionSamples samples;             ///< times strictly ascending
+  std::vector<ControlEvent> events;  ///< what the control recorded besides
+  std::vector<SignalEvent> notes;    ///< what an imported file says besides
+  base::Duration step{};             ///< median time between two samples
   bool hasSet = false;
   bool hasActual = false;
   /// The path speed was recorded. False: it comes from the positions, and the resolution of these

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "base/axes.h"
@@ -34,57 +33,54 @@ std::string quotedName(const std::string& name) {
   return isWord ? name : "'" + name + "'";
 }
 
-using ValueOf = std::function<double(const MotionSample&)>;
-
-std::shared_ptr<const Envelope> envelopeOf(const Motion& motion, Instant origin,
-                                           const ValueOf& valueOf) {
-  auto samples = std::make_shared<Envelope>();
-  for (const MotionSample& sample : motion.samples) {
-    samples->append(Instant{sample.at - origin}, valueOf(sample));
-  }
-  return samples;
+/// A signal whose samples are those of the motion, or of a column.
+std::shared_ptr<const Envelope> envelopeOf(const PackedTimes& at, PackedValues values,
+                                           Instant origin) {
+  return std::make_shared<const Envelope>(PackedPoints(at, std::move(values), origin));
 }
 
 void addMotion(SignalSet& signalSet, const Motion& motion, Instant origin) {
+  const MotionSamples& samples = motion.samples;
+  const auto add = [&](std::string name, const char* unit, PackedValues values) {
+    signalSet.add({std::move(name), unit, envelopeOf(samples.times(), std::move(values), origin)});
+  };
+  const auto ofAxis = [&samples](MotionColumn ofX, std::size_t axis) {
+    return samples.valuesOf(static_cast<MotionColumn>(static_cast<std::size_t>(ofX) + axis));
+  };
+  const auto converted = [&samples](MotionColumn column, double (*convert)(double)) {
+    PackedValues values;
+    const PackedValues from = samples.valuesOf(column);
+    PackedReader<PackedValues> reader(from);
+    for (std::size_t i = 0; i < reader.size(); ++i) {
+      values.push_back(convert(reader[i]));
+    }
+    return values;
+  };
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (motion.hasSet) {
-      signalSet.add({axisName(axis, "_set"), "mm",
-                     envelopeOf(motion, origin,
-                                [axis](const MotionSample& one) { return one.setMm[axis]; })});
+      add(axisName(axis, "_set"), "mm", ofAxis(MotionColumn::SetX, axis));
     }
     if (motion.hasActual) {
-      signalSet.add({axisName(axis, "_act"), "mm",
-                     envelopeOf(motion, origin,
-                                [axis](const MotionSample& one) { return one.actualMm[axis]; })});
+      add(axisName(axis, "_act"), "mm", ofAxis(MotionColumn::ActualX, axis));
     }
   }
-  signalSet.add({"path_speed", "mm/s", envelopeOf(motion, origin, [](const MotionSample& one) {
-                   return one.pathMmPerS;
-                 })});
+  add("path_speed", "mm/s", samples.valuesOf(MotionColumn::Speed));
   if (motion.hasFeed) {
-    signalSet.add(
-        {"programmed_feed", "mm/s",
-         envelopeOf(motion, origin, [](const MotionSample& one) { return one.feedMmPerS; })});
+    add("programmed_feed", "mm/s", samples.valuesOf(MotionColumn::Feed));
   }
   if (motion.hasOverride) {
-    signalSet.add({"override", "%", envelopeOf(motion, origin, [](const MotionSample& one) {
-                     return 100.0 * one.overrideFactor;
-                   })});
+    add("override", "%",
+        converted(MotionColumn::Override, [](double factor) { return 100.0 * factor; }));
   }
   if (motion.hasLine) {
-    signalSet.add({"line", "", envelopeOf(motion, origin, [](const MotionSample& one) {
-                     return one.line == 0 ? kNoValue : static_cast<double>(one.line);
-                   })});
+    add("line", "",
+        converted(MotionColumn::Line, [](double line) { return line == 0.0 ? kNoValue : line; }));
   }
 }
 
 void addColumns(SignalSet& signalSet, const SignalTrace& imported, Instant origin) {
   for (const Signal& signal : imported.signalList) {
-    const std::vector<Instant>& at = imported.timeBases[signal.timeBase].at;
-    auto samples = std::make_shared<Envelope>();
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      samples->append(Instant{at[i] - origin}, signal.values[i]);
-    }
+    auto samples = envelopeOf(imported.timeBases[signal.timeBase].at, signal.values, origin);
     // A column that is called as a signal of ours is still to be found.
     const bool isTaken = signalSet.find(signal.name) != nullptr;
     signalSet.add(
@@ -118,8 +114,9 @@ void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant ori
   const auto distances = contourDistances(analysis.motion, *analysis.programPath, analysis.path);
   const auto add = [&](const char* name, bool has, double ContourDistance::*mm) {
     auto samples = std::make_shared<Envelope>();
+    PackedReader<PackedTimes> times(analysis.motion.samples.times());
     for (const ContourDistance& one : distances) {
-      samples->append(Instant{analysis.motion.samples[one.sample].at - origin}, one.*mm);
+      samples->append(Instant{times[one.sample] - origin}, one.*mm);
     }
     if (has && !samples->empty()) {
       signalSet.add({name, "mm", std::move(samples)});
@@ -132,8 +129,9 @@ void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant ori
   auto lines = std::make_shared<Envelope>();
   auto lengths = std::make_shared<Envelope>();
   auto actualLengths = std::make_shared<Envelope>();
+  PackedReader<PackedTimes> times(analysis.motion.samples.times());
   for (const ContourDistance& one : distances) {
-    const Instant at{analysis.motion.samples[one.sample].at - origin};
+    const Instant at{times[one.sample] - origin};
     points->append(at, static_cast<double>(one.segment));
     lines->append(at, static_cast<double>(analysis.programPath->points()[one.segment].line.value));
     lengths->append(at, one.lengthMm);

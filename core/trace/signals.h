@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "trace/packed_points.h"
 #include "trace/remark.h"
 
 namespace rivulet::trace {
@@ -22,14 +23,14 @@ inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 /// When the samples of one or more signals were taken: strictly ascending.
 struct TimeBase {
   std::string name;  ///< of the column of time; empty: the file has none
-  std::vector<base::Instant> at;
+  PackedTimes at;
 };
 
 struct Signal {
   std::string name;  ///< as in the file; unique in its trace
   std::string unit;  ///< as in the file; empty: not given
   std::size_t timeBase = 0;
-  std::vector<double> values;  ///< one per instant of the time base; NaN: no value there
+  PackedValues values;  ///< one per instant of the time base; NaN: no value there
 };
 
 /// What a trace says of a span of time, in words.

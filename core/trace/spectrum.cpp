@@ -133,7 +133,14 @@ std::error_code make_error_code(SpectrumError code) {
 
 std::vector<double> meanAmplitudes(const std::vector<double>& regular, std::size_t windowSize,
                                    std::size_t size) {
-  RIVULET_ASSERT(windowSize >= 4 && windowSize <= regular.size());
+  return meanAmplitudes(
+      regular.size(), [&regular](std::size_t i) { return regular[i]; }, windowSize, size);
+}
+
+std::vector<double> meanAmplitudes(std::size_t count,
+                                   const std::function<double(std::size_t)>& valueAt,
+                                   std::size_t windowSize, std::size_t size) {
+  RIVULET_ASSERT(windowSize >= 4 && windowSize <= count);
   RIVULET_ASSERT(size >= windowSize && std::has_single_bit(size));
   std::vector<double> hann(windowSize);
   double weight = 0.0;
@@ -146,10 +153,10 @@ std::vector<double> meanAmplitudes(const std::vector<double>& regular, std::size
   Eigen::FFT<double> fft;
   std::vector<std::complex<double>> transformed;
   std::size_t windows = 0;
-  for (std::size_t begin = 0; begin + windowSize <= regular.size(); begin += windowSize / 2) {
+  for (std::size_t begin = 0; begin + windowSize <= count; begin += windowSize / 2) {
     std::vector<double> values(size, 0.0);
     for (std::size_t i = 0; i < windowSize; ++i) {
-      values[i] = hann[i] * regular[begin + i];
+      values[i] = hann[i] * valueAt(begin + i);
     }
     fft.fwd(transformed, values);
     for (std::size_t k = 0; k < mean.size(); ++k) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <system_error>
 #include <vector>
 
@@ -21,6 +22,11 @@ namespace rivulet::trace {
 /// @return size / 2 values, for the frequencies k / (size * step): a sine of amplitude 1 has 1 at
 /// its own
 [[nodiscard]] std::vector<double> meanAmplitudes(const std::vector<double>& regular,
+                                                 std::size_t windowSize, std::size_t size);
+/// The same of samples that are in no list. @param count  of the samples  @param valueAt  one of
+/// them; each is asked for twice, nearly in order
+[[nodiscard]] std::vector<double> meanAmplitudes(std::size_t count,
+                                                 const std::function<double(std::size_t)>& valueAt,
                                                  std::size_t windowSize, std::size_t size);
 
 struct FrequencyPeak {

@@ -12,6 +12,9 @@ namespace rivulet::trace {
 
 namespace {
 
+constexpr std::string_view kRecording = "rivulet-recording";
+constexpr std::string_view kControlTrace = "rivulet-control-trace";
+
 struct Span {
   base::Instant from;
   base::Instant until;
@@ -45,12 +48,12 @@ void cutTo(const Span& span, Recording& recording) {
 void cutTo(const Span& span, ImportedTrace& imported) {
   SignalTrace& file = imported.trace;
   for (std::size_t base = 0; base < file.timeBases.size(); ++base) {
-    std::vector<base::Instant>& times = file.timeBases[base].at;
+    PackedTimes& times = file.timeBases[base].at;
     const auto first = std::lower_bound(times.begin(), times.end(), span.from) - times.begin();
     const auto last = std::upper_bound(times.begin(), times.end(), span.until) - times.begin();
     const auto cutList = [&](auto& list) {
-      list.erase(list.begin() + std::max(first, last), list.end());
-      list.erase(list.begin(), list.begin() + first);
+      list = list.part(static_cast<std::size_t>(first),
+                       static_cast<std::size_t>(std::max(first, last)));
     };
     cutList(times);
     for (Signal& signal : file.signalList) {
@@ -92,17 +95,34 @@ Trace Trace::cut(double fromS, double untilS) const {
 }
 
 base::Result<Trace> parseTrace(std::string_view bytes, const TableMapping& mapping,
-                               const base::Budget& budget) {
+                               const base::Budget& budget, base::Executor* executor) {
   // Recordings are compressed in frames, but for those of earlier versions.
-  constexpr std::string_view kRecording = "rivulet-recording";
   if (isCompressed(bytes) ? unpackFirst(bytes, kRecording.size()) == kRecording
                           : bytes.starts_with(kRecording)) {
     return traceOf(parseRecording(bytes, budget));
   }
-  if (bytes.starts_with("rivulet-control-trace")) {
+  if (bytes.starts_with(kControlTrace)) {
     return traceOf(parseControlTrace(bytes, budget));
   }
-  return traceOf(importTrace(bytes, mapping, budget));
+  return traceOf(importTrace(bytes, mapping, budget, executor));
+}
+
+base::Result<std::optional<Trace>> readLargeTrace(base::ByteSource& bytes,
+                                                  const TableMapping& mapping,
+                                                  const base::Budget& budget,
+                                                  base::Executor* executor) {
+  const auto head = bytes.read(0, kControlTrace.size());
+  if (!head) {
+    return base::fail(head.error());
+  }
+  if (head->starts_with(kRecording) || head->starts_with(kControlTrace)) {
+    return std::nullopt;
+  }
+  auto imported = importLargeTable(bytes, mapping, budget, executor);
+  if (!imported) {
+    return base::fail(imported.error());
+  }
+  return *imported ? std::optional(Trace(std::move(**imported))) : std::nullopt;
 }
 
 }  // namespace rivulet::trace

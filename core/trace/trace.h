@@ -6,10 +6,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
 
+#include "base/budget.h"
+#include "base/byte_source.h"
+#include "base/executor.h"
 #include "base/result.h"
 #include "trace/control_trace.h"
 #include "trace/import/import.h"
@@ -52,10 +56,18 @@ class Trace {
 };
 
 /// Reads a file of any of the three kinds. @param mapping  for tables of other tools
-/// @param budget  without the bytes themselves
+/// @param budget  without the bytes themselves  @param executor  null: one thread
 /// @return errors of `parseRecording`, `parseControlTrace` and `importTrace`
 [[nodiscard]] base::Result<Trace> parseTrace(std::string_view bytes,
                                              const TableMapping& mapping = {},
-                                             const base::Budget& budget = {});
+                                             const base::Budget& budget = {},
+                                             base::Executor* executor = nullptr);
+
+/// A table that is too large to be held while it is read. @return nothing: it is something else,
+/// or not so large, and `parseTrace` reads it; errors of the source and of `importTrace`
+[[nodiscard]] base::Result<std::optional<Trace>> readLargeTrace(base::ByteSource& bytes,
+                                                                const TableMapping& mapping = {},
+                                                                const base::Budget& budget = {},
+                                                                base::Executor* executor = nullptr);
 
 }  // namespace rivulet::trace

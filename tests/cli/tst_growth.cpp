@@ -83,6 +83,17 @@ std::string table(int count) {
   return text;
 }
 
+/// A tool that trembles in one place, and stops at every twentieth sample.
+std::string stops(int count) {
+  std::string text = "t_s;x_set_mm;y_set_mm\n0;-5;0\n0.1;-4;0\n";
+  double x = 0.0;
+  for (int i = 0; i < 20 * count; ++i) {
+    x += i % 20 < 10 ? 0.002 : -0.002;
+    text += fmt::format("{:.3f};{:.6f};0\n", 0.2 + 0.004 * i, i % 20 == 10 ? x - 0.002 : x);
+  }
+  return text + fmt::format("{0:.3f};4;0\n{1:.3f};5;0\n", 0.3 + 0.08 * count, 0.4 + 0.08 * count);
+}
+
 const QStringList kCheck{QStringLiteral("check")};
 const QStringList kAnalyse{QStringLiteral("analyse")};
 const QStringList kStream{QStringLiteral("stream"),   QStringLiteral("--simulate"),
@@ -95,13 +106,20 @@ const QStringList kPlan{QStringLiteral("feasibility"), QStringLiteral("--feed"),
 const QStringList kPetri{QStringLiteral("petri"), QStringLiteral("simulate"),
                          QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--until")};
 
+/// What the command gets.
+enum class Input {
+  Text,
+  Recording,  ///< of a run with the text
+  Hdf5,       ///< the table of the text, saved
+};
+
 struct Work {
   const char* name;
   QStringList command;  ///< without its file
   const char* file;
   std::string (*text)(int count);  ///< null: the command gets the count itself
   int count;                       ///< the input is as long as this, and ten times
-  bool isRecorded = false;         ///< the command gets the recording of a run with that text
+  Input input = Input::Text;
 };
 
 const std::array kWork{
@@ -110,11 +128,14 @@ const std::array kWork{
     Work{"load expressions", kCheck, "PART.MPF", expressions, 500},
     Work{"simulate and judge", kStream, "PART.NC", lines, 200},
     Work{"simulate corners in one place", kStream, "PART.NC", corners, 100},
-    Work{"analyse a recording", kAnalyse, "PART.NC", lines, 200, true},
-    Work{"analyse a recording of corners in one place", kAnalyse, "PART.NC", corners, 100, true},
+    Work{"analyse a recording", kAnalyse, "PART.NC", lines, 200, Input::Recording},
+    Work{"analyse a recording of corners in one place", kAnalyse, "PART.NC", corners, 100,
+         Input::Recording},
+    Work{"analyse stops in one place", kAnalyse, "STOPS.CSV", stops, 1000},
     Work{"import a table", kAnalyse, "TABLE.CSV", table, 2000},
     Work{"plan and time", kPlan, "PART.NC", lines, 300},
     Work{"play a Petri net", kPetri, "", nullptr, 500},
+    Work{"import HDF5", kAnalyse, "TABLE.CSV", table, 10'000, Input::Hdf5},
 };
 
 }  // namespace
@@ -144,7 +165,11 @@ class TestGrowth : public QObject {
       QVERIFY(base::writeFile(path.toStdString(), work.text(length)).has_value());
     }
     QByteArray errors;
-    if (work.isRecorded) {
+    if (work.input == Input::Hdf5) {
+      const QString packed = m_folder.filePath(QStringLiteral("TABLE.h5"));
+      requireRun(cli, kAnalyse + QStringList{path, QStringLiteral("--save"), packed}, errors);
+      path = packed;
+    } else if (work.input == Input::Recording) {
       const QString recording = m_folder.filePath(QStringLiteral("run.recording"));
       QFile::remove(recording);
       requireRun(cli, kStream + QStringList{path, QStringLiteral("--record"), recording}, errors);
@@ -181,6 +206,11 @@ class TestGrowth : public QObject {
   void isLinear() {
     QFETCH(std::size_t, index);
     const Work& work = kWork[index];
+#ifndef RIVULET_TEST_HDF5
+    if (work.input == Input::Hdf5) {
+      QSKIP("This Rivulet was built without the library HDF5.");
+    }
+#endif
     double least = 0.0;
     double once = 0.0;
     double tenfold = 0.0;

@@ -5,6 +5,8 @@
 /// sentence that names the option, before it takes a fifth more than it may. What a program takes
 /// is what was resident of it at most, as the system counts it.
 
+#include <fmt/format.h>
+
 #ifdef RIVULET_TEST_HDF5
 #include <hdf5.h>
 #endif
@@ -15,6 +17,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -229,6 +232,30 @@ class TestMemory : public QObject {
     if (!tests::kIsSanitized) {
       QVERIFY2(bytes < 1.2 * kLimit, qPrintable(QString::number(bytes)));
     }
+  }
+
+  /// Neither its text nor its numbers are held as they are: a million rows of five columns.
+  void aTableNeedsLittle() {
+    constexpr double kBytesMax = 100e6;
+    const QString path = m_folder.filePath(QStringLiteral("large.csv"));
+    std::string table = "t_s,x_set,y_set,x_act,y_act\n";
+    for (int i = 0; i < 1'000'000; ++i) {
+      const double at = 0.001 * i;
+      table +=
+          fmt::format("{:.3f},{:.4f},{:.4f},{:.4f},{:.4f}\n", at, 50.0 * std::sin(at),
+                      50.0 * std::cos(at), 50.0 * std::sin(at - 0.01), 50.0 * std::cos(at - 0.01));
+    }
+    QVERIFY(base::writeFile(path.toStdString(), table).has_value());
+    QProcess process;
+    process.start(QStringLiteral(RIVULET_CLI),
+                  {QStringLiteral("analyse"), path, QStringLiteral("--json")});
+    QVERIFY(process.waitForStarted(tests::kRunMs));
+    const double bytes = bytesUntilItEnds(process);
+    QCOMPARE(process.exitCode(), 0);
+    if (!tests::kIsSanitized) {
+      QVERIFY2(bytes < kBytesMax, qPrintable(QString::number(bytes)));
+    }
+    QFile::remove(path);
   }
 
   /// It is a limit of one file, and who has more memory can say so.

@@ -58,8 +58,10 @@ class TestLearnedMachine : public QObject {
   void aProgramThatMovesNothingIsNoRun() {
     trace::Motion motion;
     motion.hasActual = true;
-    motion.samples.resize(2);
-    motion.samples[1].at = motion.samples[0].at + base::fromSeconds(0.1);
+    trace::MotionSample sample;
+    motion.samples.push_back(sample);
+    sample.at += base::fromSeconds(0.1);
+    motion.samples.push_back(sample);
     QVERIFY(!runOfProgram(motion, "G61\nF100\n", "empty", {}));
     QVERIFY(!runOfProgram({}, "G61\nF100\nG1 X10\n", "nothing seen", {}));
     const auto run = runOfProgram(motion, "G61\nF100\nG1 X10\n", "a line", {});

@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -83,7 +84,9 @@ std::vector<SeriesPoint> visibleByHand(const std::vector<SeriesPoint>& all, Inst
 bool same(const std::vector<SeriesPoint>& a, const std::vector<SeriesPoint>& b) {
   return std::equal(
       a.begin(), a.end(), b.begin(), b.end(), [](const SeriesPoint& p, const SeriesPoint& q) {
-        return p.at == q.at && (p.value == q.value || (std::isnan(p.value) && std::isnan(q.value)));
+        const bool isSameValue =
+            std::bit_cast<std::uint64_t>(p.value) == std::bit_cast<std::uint64_t>(q.value);
+        return p.at == q.at && (isSameValue || (std::isnan(p.value) && std::isnan(q.value)));
       });
 }
 
@@ -149,11 +152,11 @@ class TestEnvelope : public QObject {
     std::vector<SeriesPoint> all;
     Random random(7);
     const double infinity = std::numeric_limits<double>::infinity();
-    const std::array<double, 8> odd{infinity, -infinity, 1e300,     5e-324,
-                                    9e15,     -9e15,     0.1 + 0.2, 1e-9};
+    const std::array<double, 9> odd{-0.0, infinity, -infinity, 1e300, 5e-324,
+                                    9e15, -9e15,    0.1 + 0.2, 1e-9};
     std::int64_t now = std::numeric_limits<std::int64_t>::min();
-    for (std::size_t i = 0; i < 40 * PackedPoints::kBlockSize + 5; ++i) {
-      const std::size_t kind = i / PackedPoints::kBlockSize;
+    for (std::size_t i = 0; i < 40 * kPackedBlockSize + 5; ++i) {
+      const std::size_t kind = i / kPackedBlockSize;
       double value = static_cast<double>(random.below(2'000'000)) / 1e4 - 100.0;
       if (kind % 4 == 1) {
         value = random.below(10) == 0 ? kNaN : value;

@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
 
 #include "imported_text.h"
 #include "support/test_program.h"
@@ -11,7 +15,9 @@
 #include "trace/import/compression.h"
 #include "trace/import/import.h"
 #include "trace/import/import_error.h"
+#include "trace/import/text_blocks.h"
 #include "trace/motion.h"
+#include "trace/trace.h"
 
 using namespace rivulet;
 using namespace rivulet::trace;
@@ -50,6 +56,9 @@ class TestImport : public QObject {
   void readsTwinCatScope();
   void readsSinumerikXml();
   void readsCompressedFiles();
+  void readsLargeTablesBlockByBlock_data();
+  void readsLargeTablesBlockByBlock();
+  void leavesToOthersWhatIsNoLargeTable();
   void refusesRubbish();
 };
 
@@ -431,7 +440,7 @@ void TestImport::readsHalsampler() {
   const TableMapping options = *parseTableMapping("x_set=#2,y_set=#3,rate=500");
   const ImportedTrace trace =
       imported("100 1.5 2\n101 1.6 2\n102 1.7 2\noverrun\n110 1.8 2\n111 1.9 2\n", options);
-  const std::vector<base::Instant>& at = trace.trace.timeBases[0].at;
+  const PackedTimes& at = trace.trace.timeBases[0].at;
   QCOMPARE(at.size(), std::size_t{5});
   QCOMPARE(at[3] - at[2], base::Duration{std::chrono::milliseconds{16}});
   QCOMPARE(motionOf(trace).samples[4].setMm.x, 1.9);
@@ -475,7 +484,8 @@ void TestImport::readsSinumerikXml() {
       "<rec time=\"0.003\" f1=\"9\"/>\n<rec time=\"0.006\" f1=\"1.8\" f2=";
   const ImportedTrace trace = imported(text);
   QCOMPARE(trace.trace.format, std::string("SINUMERIK trace"));
-  QCOMPARE(trace.trace.signalList[0].values, (std::vector<double>{1.5, 1.6, 1.7}));
+  const PackedValues& values = trace.trace.signalList[0].values;
+  QCOMPARE(std::vector<double>(values.begin(), values.end()), (std::vector<double>{1.5, 1.6, 1.7}));
   QVERIFY(remarks(trace).find("runs backwards and that were left out: 1.") != std::string::npos);
   QCOMPARE(trace.trace.signalList[2].values.size(), std::size_t{1});
   const Motion motion = motionOf(trace);
@@ -494,6 +504,117 @@ void TestImport::readsCompressedFiles() {
   const ImportedTrace cut = imported(packed.substr(0, packed.size() / 2));
   QVERIFY(cut.trace.signalList[0].values.size() > 1000);
   QVERIFY(remarks(cut).find("cut or damaged") != std::string::npos);
+}
+
+namespace {
+
+/// A text as a file that is read where it is asked for.
+class BytesOfText final : public base::ByteSource {
+ public:
+  explicit BytesOfText(std::string_view text) : m_text(text) {}
+  [[nodiscard]] std::uint64_t size() const override { return m_text.size(); }
+  [[nodiscard]] base::Result<std::string> read(std::uint64_t at, std::uint64_t bytes) override {
+    return std::string(m_text.substr(std::min<std::size_t>(at, m_text.size()), bytes));
+  }
+
+ private:
+  std::string_view m_text;
+};
+
+/// The last job first: no order is promised.
+class BackwardsExecutor final : public base::Executor {
+ public:
+  void forEach(std::size_t count, const std::function<void(std::size_t)>& job) override {
+    while (count-- > 0) {
+      job(count);
+    }
+  }
+};
+
+bool isSameTrace(const SignalTrace& a, const SignalTrace& b) {
+  const auto isSame = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return std::ranges::equal(a.signalList, b.signalList,
+                            [&](const Signal& one, const Signal& other) {
+                              return one.name == other.name && one.timeBase == other.timeBase &&
+                                     std::ranges::equal(one.values, other.values, isSame);
+                            }) &&
+         std::ranges::equal(a.timeBases, b.timeBases,
+                            [](const TimeBase& one, const TimeBase& other) {
+                              return std::ranges::equal(one.at, other.at);
+                            });
+}
+
+/// Numbers with a few rows that are none, from the first block to the last.
+std::string largeTable(const char* separator, const char* sign) {
+  std::string text = "\"t\n[s]\"" + std::string(separator) + "x_act" + separator + "y\n";
+  for (int i = 0; text.size() < 2 * TextBlocks::kBlockBytes + 100'000; ++i) {
+    std::string row = fmt::format("{:.3f}{}{:.5f}{}{}\n", 0.001 * i, separator, std::sin(0.001 * i),
+                                  separator, i % 17);
+    if (i % 200'000 == 199'999) {
+      row = fmt::format("{:.3f}{}UNAVAILABLE{}1\n", 0.001 * i, separator, separator);
+    } else if (i % 300'000 == 299'999) {
+      row = "UNAVAILABLE" + std::string(separator) + "UNAVAILABLE" + separator + "UNAVAILABLE\n";
+    } else if (i % 350'000 == 349'999) {
+      row = "1" + std::string(separator) + "2\n";
+    }
+    std::ranges::replace(row, '.', *sign);
+    text += row;
+  }
+  return text + "1" + separator;  // cut off
+}
+
+}  // namespace
+
+void TestImport::readsLargeTablesBlockByBlock_data() {
+  QTest::addColumn<QByteArray>("separator");
+  QTest::addColumn<QByteArray>("sign");
+  QTest::newRow("comma") << QByteArray(",") << QByteArray(".");
+  QTest::newRow("tab") << QByteArray("\t") << QByteArray(".");
+  QTest::newRow("semicolon, decimal comma") << QByteArray(";") << QByteArray(",");
+}
+
+void TestImport::readsLargeTablesBlockByBlock() {
+  QFETCH(QByteArray, separator);
+  QFETCH(QByteArray, sign);
+  const std::string text = "\xEF\xBB\xBF" + largeTable(separator.constData(), sign.constData());
+  const ImportedTrace whole = imported(text);
+  QVERIFY(whole.trace.signalList.size() == 2 && whole.trace.signalList[0].values.size() > 600'000);
+  BytesOfText bytes(text);
+  BackwardsExecutor executor;
+  const auto blocks = importLargeTable(bytes, {}, {}, &executor);
+  QVERIFY(blocks && *blocks);
+  QCOMPARE(remarks(**blocks), remarks(whole));
+  QCOMPARE(roles(**blocks), roles(whole));
+  QVERIFY(isSameTrace((*blocks)->trace, whole.trace));
+  for (const char* said : {"350000", "200000", "300000"}) {
+    const std::string line = std::to_string(std::stoi(said) + 2);  // the heading has two
+    QVERIFY2(remarks(whole).find(line) != std::string::npos, remarks(whole).c_str());
+  }
+  const auto refused = importLargeTable(bytes, {}, base::Budget(10'000'000), &executor);
+  QVERIFY(!refused && refused.error().code == base::BudgetError::Exceeded);
+}
+
+void TestImport::leavesToOthersWhatIsNoLargeTable() {
+  const std::string table = largeTable(",", ".");
+  const auto isLeft = [](std::string text) {
+    BytesOfText bytes(text);
+    const auto imported = importLargeTable(bytes);
+    return imported && !*imported;
+  };
+  QVERIFY(!isLeft(table));
+  QVERIFY(isLeft(table.substr(0, TextBlocks::kBlockBytes)));
+  QVERIFY(isLeft(pack(table, 1) + table));
+  QVERIFY(isLeft("t,x_act,Spann\xFCng\n" + table));  // Latin-1
+  QVERIFY(isLeft(std::string(table.size(), ',')));
+  BytesOfText recording("rivulet-recording 1\n");
+  QVERIFY(!*readLargeTrace(recording));
+  // A line that is longer than a block is read as a whole.
+  std::string odd = table;
+  odd.insert(table.rfind('\n') + 1, std::string(2 * TextBlocks::kBlockBytes, '7') + "\n");
+  BytesOfText bytes(odd);
+  const auto read = importLargeTable(bytes);
+  QVERIFY(read && *read);
+  QVERIFY(isSameTrace((*read)->trace, imported(odd).trace));
 }
 
 void TestImport::refusesRubbish() {

@@ -22,6 +22,16 @@ namespace {
 const QString kGroundTruth = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/groundtruth");
 
 /// A motion at constant speed along straight lines.
+/// @param change  of each sample
+template <class Change>
+void changeSamples(Motion& motion, const Change& change) {
+  std::vector<MotionSample> samples(motion.samples.begin(), motion.samples.end());
+  for (MotionSample& sample : samples) {
+    change(sample);
+  }
+  motion.samples = MotionSamples(samples);
+}
+
 Motion motionAlong(const std::vector<base::Vec3>& corners, double mmPerS, double stepS) {
   Motion motion;
   motion.hasSet = true;
@@ -218,9 +228,9 @@ class TestTraceAnalysis : public QObject {
   void measuresTheContourError() {
     Motion motion = motionAlong(kZigzag, 10.0, 0.004);
     motion.hasActual = true;
-    for (MotionSample& sample : motion.samples) {
+    changeSamples(motion, [](MotionSample& sample) {
       sample.actualMm = sample.setMm + base::Vec3{0.0, 0.02, 0.0};
-    }
+    });
     const ProgramPath path = pathThrough(kZigzag);
     const PathMatch match = matchPath(motion, path);
     const MotionQuality quality = judgeMotion(motion, {}, &path, &match);
@@ -259,17 +269,15 @@ class TestTraceAnalysis : public QObject {
   void measuresTheFeedKept() {
     constexpr double kStepS = 0.004;
     Motion motion = motionAlong({{0, 0, 0}, {20, 0, 0}}, 10.0, kStepS);
-    for (const MotionSample& slow : motionAlong({{20, 0, 0}, {30, 0, 0}}, 5.0, kStepS).samples) {
-      MotionSample sample = slow;
+    const Motion slow = motionAlong({{20, 0, 0}, {30, 0, 0}}, 5.0, kStepS);
+    for (MotionSample sample : slow.samples) {
       sample.at += base::fromSeconds(2.0);
       if (sample.at > motion.samples.back().at) {
         motion.samples.push_back(sample);
       }
     }
     motion.hasFeed = true;
-    for (MotionSample& sample : motion.samples) {
-      sample.feedMmPerS = 10.0;
-    }
+    changeSamples(motion, [](MotionSample& sample) { sample.feedMmPerS = 10.0; });
     const FeedKept feed = judgeMotion(motion, {}, nullptr, nullptr).feed;
     QVERIFY(feed.known);
     QVERIFY2(std::abs(feed.share - 2.0 / 3.0) < 1e-3, qPrintable(QString::number(feed.share)));
@@ -283,9 +291,9 @@ class TestTraceAnalysis : public QObject {
     Motion motion =
         motionAlong({{0, 0, 0}, {9, 0, 0}, {10, 1, 0}, {10, 5, 0}, {20, 5, 0}}, 10.0, 0.001);
     motion.hasSpeed = true;
-    for (MotionSample& sample : motion.samples) {
+    changeSamples(motion, [](MotionSample& sample) {
       sample.pathMmPerS = sample.setMm.y > 0.4 && sample.setMm.y < 0.6 ? 3.0 : 10.0;
-    }
+    });
     const ProgramPath path = pathThrough({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {20, 5, 0}});
     const PathMatch match = matchPath(motion, path);
     const MotionQuality quality = judgeMotion(motion, {}, &path, &match);
@@ -326,6 +334,80 @@ class TestTraceAnalysis : public QObject {
       motion.samples.push_back(sample);
     }
     QCOMPARE(static_cast<int>(findStandstills(motion).size()), stops);
+  }
+
+  /// Whatever lies between, a turn is that between the nearest samples that are far enough away.
+  void findsTurnsWhereAToolTrembles() {
+    base::Random random(21);
+    Motion motion;
+    motion.hasSet = motion.hasSpeed = true;
+    motion.step = base::fromSeconds(0.004);
+    MotionSample sample;
+    std::vector<Standstill> stops;
+    for (int i = 0; i < 6000; ++i) {
+      sample.at = base::Instant{base::fromSeconds(0.004 * i)};
+      const double stride = random.below(400) == 0 ? 1.0 : 0.004;  // seldom far away
+      sample.setMm =
+          sample.setMm + stride * base::Vec3{random.normal(), random.normal(), random.normal()};
+      sample.setMm = i % 1500 == 0 ? base::Vec3{} : sample.setMm;
+      sample.pathMmPerS = 1.0;
+      motion.samples.push_back(sample);
+      if (random.below(8) == 0) {
+        Standstill stop;
+        stop.start = sample.at;
+        stop.placeMm = sample.setMm;
+        stops.push_back(stop);
+      }
+    }
+    findCauses(stops, motion, nullptr);
+    MotionReader samples(motion.samples);
+    const auto isFar = [&](std::size_t i, base::Vec3 place) {
+      return base::distance(samples[i].setMm, place) > 0.05;
+    };
+    int turns = 0;
+    for (const Standstill& stop : stops) {
+      const std::size_t at = motion.samples.indexAt(stop.start);
+      std::size_t before = at;
+      while (before > 0 && !isFar(before - 1, stop.placeMm)) {
+        --before;
+      }
+      std::size_t after = at;
+      while (after < samples.size() && !isFar(after, stop.placeMm)) {
+        ++after;
+      }
+      if (before == 0 || after == samples.size()) {
+        QVERIFY(stop.cause == StopCause::Unknown);
+        continue;
+      }
+      ++turns;
+      const base::Vec3 in = stop.placeMm - samples[before - 1].setMm;
+      const base::Vec3 out = samples[after].setMm - stop.placeMm;
+      const double cosine = base::dot(in, out) / (base::norm(in) * base::norm(out));
+      const double turn = std::acos(cosine) * 180.0 / std::acos(-1.0);
+      QCOMPARE(stop.evidence,
+               turn > 0.1 ? fmt::format("the path turns by {:.1f} degrees there", turn) : "");
+    }
+    QVERIFY(turns > 300);
+  }
+
+  /// The one that begins first of those that touch the stop, whatever else is between.
+  void takesTheFirstEventThatTouches() {
+    Motion motion = motionAlong(kZigzag, 10.0, 0.004);
+    const auto at = [](double seconds) { return base::Instant{base::fromSeconds(seconds)}; };
+    motion.notes = {{at(0.0), at(9.0), "note", ""},
+                    {at(0.1), at(0.2), "hold", "early"},
+                    {at(0.1), at(0.6), "dwell", "long"},
+                    {at(0.3), at(0.31), "tool change", "short"},
+                    {at(0.5), at(0.6), "hold", "late"}};
+    std::vector<Standstill> stops(3);
+    stops[0].start = at(0.15);
+    stops[1].start = at(0.3);
+    stops[2].start = at(0.9);
+    findCauses(stops, motion, nullptr);
+    QCOMPARE(stops[0].evidence, std::string("early"));
+    QCOMPARE(stops[1].evidence, std::string("long"));
+    QVERIFY(stops[1].cause == StopCause::Dwell);
+    QVERIFY(stops[2].evidence.find("degrees") != std::string::npos || stops[2].evidence.empty());
   }
 
   /// A recording knows between which blocks of the program on the control there is a STOPRE.

@@ -67,16 +67,17 @@ trace::Motion seen(const TrapezoidRules& rules, double clockS) {
   }
   trace::Motion motion;
   motion.hasActual = true;
-  motion.samples.resize(atS.size());
+  std::vector<trace::MotionSample> samples(atS.size());
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto states =
         emulator::predict(knownMachine().axes[axis].parameters,
                           emulator::setPointGrid(run->axes[axis], run->period, false), atS);
     for (std::size_t i = 0; i < atS.size(); ++i) {
-      motion.samples[i].actualMm.set(axis, states[i].mm);
-      motion.samples[i].at = base::Instant{base::fromSeconds(atS[i] + clockS)};
+      samples[i].actualMm.set(axis, states[i].mm);
+      samples[i].at = base::Instant{base::fromSeconds(atS[i] + clockS)};
     }
   }
+  motion.samples = trace::MotionSamples(samples);
   return motion;
 }
 
@@ -118,9 +119,12 @@ class TestSparseLearning : public QObject {
     QVERIFY(none && *none < 2e-4);
     constexpr double kJitterS = 0.004;
     base::Random random(7);
-    for (trace::MotionSample& sample : motion.samples) {
+    trace::MotionSamples jittered;
+    for (trace::MotionSample sample : motion.samples) {
       sample.at += base::fromSeconds(kJitterS * random.normal());
+      jittered.push_back(sample);
     }
+    motion.samples = jittered;
     emulator::TrainingRun run = runOf(motion, {});
     alignClock(run, knownMachine());
     const auto found = sampleJitterS(run, knownMachine());

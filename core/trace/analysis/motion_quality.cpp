@@ -32,8 +32,7 @@ double leftOf(base::Vec3 direction, base::Vec3 off) {
 /// Collects distances to the path.
 class ContourCounter {
  public:
-  void add(const Motion& motion, const ProgramPath& path, std::size_t sample, base::Vec3 position,
-           const PathPlace& place) {
+  void add(const ProgramPath& path, base::Instant at, base::Vec3 position, const PathPlace& place) {
     m_distances.push_back(place.distanceMm);
     m_squares += place.distanceMm * place.distanceMm;
     const base::Vec3 off = position - path.at(place.lengthMm);
@@ -42,7 +41,7 @@ class ContourCounter {
     m_error.rightMm = std::min(m_error.rightMm, left);
     if (place.distanceMm > m_error.maxMm) {
       m_error.maxMm = place.distanceMm;
-      m_error.at = motion.samples[sample].at;
+      m_error.at = at;
       m_error.placeMm = position;
       m_error.line = path.points()[place.segment].line;
     }
@@ -66,9 +65,8 @@ class ContourCounter {
 };
 
 /// Where the actual position is on the path: near the set point, and mostly after it in time.
-PathPlace placeOfActual(const Motion& motion, const ProgramPath& path,
+PathPlace placeOfActual(const Motion& motion, const MotionSample& sample, const ProgramPath& path,
                         const MatchedSample& matched) {
-  const MotionSample& sample = motion.samples[matched.sample];
   if (!motion.hasSet) {
     return matched.place;
   }
@@ -84,75 +82,89 @@ void judgeContour(MotionQuality& quality, const Motion& motion, const ProgramPat
                   const PathMatch& match) {
   ContourCounter set;
   ContourCounter actual;
+  MotionReader samples(motion.samples);
   for (const MatchedSample& matched : match.samples) {
     if (!std::isfinite(matched.place.distanceMm)) {
       continue;
     }
-    const MotionSample& sample = motion.samples[matched.sample];
+    const MotionSample& sample = samples[matched.sample];
     if (motion.hasSet) {
-      set.add(motion, path, matched.sample, sample.setMm, matched.place);
+      set.add(path, sample.at, sample.setMm, matched.place);
     }
     if (motion.hasActual) {
-      actual.add(motion, path, matched.sample, sample.actualMm,
-                 placeOfActual(motion, path, matched));
+      actual.add(path, sample.at, sample.actualMm, placeOfActual(motion, sample, path, matched));
     }
   }
   quality.setContour = set.error();
   quality.actualContour = actual.error();
 }
 
-/// Least squares of the error over speed and direction of one axis.
-std::optional<double> reversalOf(const std::vector<double>& errors,
-                                 const std::vector<double>& speeds) {
-  double vv = 0.0;
-  double vd = 0.0;
-  double dd = 0.0;
-  double ev = 0.0;
-  double ed = 0.0;
-  bool forwards = false;
-  bool backwards = false;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double v = speeds[i];
-    if (std::abs(v) < kAxisMovesMmPerS) {
-      continue;
+/// The following error of one axis. Least squares over its speed and its direction tell what
+/// changes its sign with the direction.
+class FollowingCounter {
+ public:
+  /// @param errorMm  set point minus actual position
+  void add(double errorMm, double mmPerS) {
+    ++m_count;
+    m_squares += errorMm * errorMm;
+    m_maxMm = std::max(m_maxMm, std::abs(errorMm));
+    if (std::abs(mmPerS) < kAxisMovesMmPerS) {
+      return;
     }
-    const double d = v > 0.0 ? 1.0 : -1.0;
-    forwards = forwards || v > 0.0;
-    backwards = backwards || v < 0.0;
-    vv += v * v;
-    vd += v * d;
-    dd += 1.0;
-    ev += errors[i] * v;
-    ed += errors[i] * d;
+    const double direction = mmPerS > 0.0 ? 1.0 : -1.0;
+    m_forwards = m_forwards || mmPerS > 0.0;
+    m_backwards = m_backwards || mmPerS < 0.0;
+    m_vv += mmPerS * mmPerS;
+    m_vd += mmPerS * direction;
+    m_dd += 1.0;
+    m_ev += errorMm * mmPerS;
+    m_ed += errorMm * direction;
   }
-  const double determinant = vv * dd - vd * vd;
-  // At one speed only, the two parts cannot be told apart.
-  if (!forwards || !backwards || determinant < 1e-6 * vv * dd) {
-    return std::nullopt;
+
+  [[nodiscard]] FollowingError error() const {
+    FollowingError error;
+    error.maxMm = m_maxMm;
+    error.rmsMm = std::sqrt(m_squares / static_cast<double>(m_count));
+    const double determinant = m_vv * m_dd - m_vd * m_vd;
+    // At one speed only, the two parts cannot be told apart.
+    if (m_forwards && m_backwards && !(determinant < 1e-6 * m_vv * m_dd)) {
+      error.reversalMm = 2.0 * std::abs((m_ed * m_vv - m_ev * m_vd) / determinant);
+    }
+    return error;
   }
-  return 2.0 * std::abs((ed * vv - ev * vd) / determinant);
-}
+
+ private:
+  std::size_t m_count = 0;
+  double m_squares = 0.0;
+  double m_maxMm = 0.0;
+  double m_vv = 0.0;
+  double m_vd = 0.0;
+  double m_dd = 0.0;
+  double m_ev = 0.0;
+  double m_ed = 0.0;
+  bool m_forwards = false;
+  bool m_backwards = false;
+};
 
 void judgeFollowing(MotionQuality& quality, const Motion& motion) {
   quality.hasFollowing = motion.hasSet && motion.hasActual && motion.samples.size() > 2;
-  for (std::size_t axis = 0; quality.hasFollowing && axis < base::kAxisCount; ++axis) {
-    FollowingError& error = quality.following[axis];
-    std::vector<double> errors;
-    std::vector<double> speeds;
-    double squares = 0.0;
-    for (std::size_t i = 1; i + 1 < motion.samples.size(); ++i) {
-      const MotionSample& sample = motion.samples[i];
-      const double off = sample.setMm[axis] - sample.actualMm[axis];
-      const MotionSample& before = motion.samples[i - 1];
-      const MotionSample& after = motion.samples[i + 1];
-      errors.push_back(off);
-      speeds.push_back((after.setMm[axis] - before.setMm[axis]) /
-                       base::toSeconds(after.at - before.at));
-      squares += off * off;
-      error.maxMm = std::max(error.maxMm, std::abs(off));
+  if (!quality.hasFollowing) {
+    return;
+  }
+  std::array<FollowingCounter, base::kAxisCount> counters;
+  MotionReader samples(motion.samples);
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const MotionSample& before = samples[i - 1];
+    const MotionSample& sample = samples[i];
+    const MotionSample& after = samples[i + 1];
+    const double seconds = base::toSeconds(after.at - before.at);
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      counters[axis].add(sample.setMm[axis] - sample.actualMm[axis],
+                         (after.setMm[axis] - before.setMm[axis]) / seconds);
     }
-    error.rmsMm = std::sqrt(squares / static_cast<double>(errors.size()));
-    error.reversalMm = reversalOf(errors, speeds);
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    quality.following[axis] = counters[axis].error();
   }
 }
 
@@ -170,6 +182,7 @@ double turnDegAt(const ProgramPath& path, std::size_t point) {
 
 void findCorners(MotionQuality& quality, const Motion& motion, const ProgramPath& path,
                  const PathMatch& match) {
+  MotionReader samples(motion.samples);
   std::size_t from = 0;
   for (std::size_t point = 0; point + 1 < path.points().size(); ++point) {
     const double turn = path.isBlockEnd(point) ? turnDegAt(path, point) : 0.0;
@@ -187,8 +200,8 @@ void findCorners(MotionQuality& quality, const Motion& motion, const ProgramPath
     }
     for (std::size_t i = from;
          i + 1 < match.samples.size() && match.samples[i].place.lengthMm <= after; ++i) {
-      const MotionSample& a = motion.samples[match.samples[i].sample];
-      const MotionSample& b = motion.samples[match.samples[i + 1].sample];
+      const MotionSample a = samples[match.samples[i].sample];
+      const MotionSample& b = samples[match.samples[i + 1].sample];
       const double set = base::distanceToSegment(place, a.setMm, b.setMm);
       corner.actualMm =
           std::min(corner.actualMm, base::distanceToSegment(place, a.actualMm, b.actualMm));
@@ -218,50 +231,62 @@ void addStanding(FeedKept& feed, const std::vector<Standstill>& stops) {
   }
 }
 
-/// The programmed feed at each used sample, from the program or from the trace; 0: not known.
-std::vector<double> feedsOf(const Motion& motion, const ProgramPath* path, const PathMatch* match) {
-  std::vector<double> feeds(motion.samples.size(), 0.0);
-  if (path != nullptr && match != nullptr && match->judged) {
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < feeds.size(); ++i) {
-      while (next + 1 < match->samples.size() && match->samples[next].sample < i) {
-        ++next;
+/// The programmed feed at each sample, from the program or from the trace.
+class ProgrammedFeeds {
+ public:
+  ProgrammedFeeds(const Motion& motion, const ProgramPath* path, const PathMatch* match)
+      : m_motion(motion),
+        m_path(path),
+        m_match(match != nullptr && match->judged ? match : nullptr) {}
+
+  /// @param index  not less than at the call before  @return 0: not known
+  [[nodiscard]] double at(std::size_t index, const MotionSample& sample) {
+    double feed = 0.0;
+    if (m_path != nullptr && m_match != nullptr) {
+      const std::vector<MatchedSample>& matched = m_match->samples;
+      while (m_next + 1 < matched.size() && matched[m_next].sample < index) {
+        ++m_next;
       }
-      feeds[i] = path->points()[match->samples[next].place.segment].feedMmPerS;
+      feed = m_path->points()[matched[m_next].place.segment].feedMmPerS;
     }
+    const bool isKnown = feed > 0.0 || !m_motion.hasFeed || !std::isfinite(sample.feedMmPerS);
+    return isKnown ? feed : sample.feedMmPerS;
   }
-  for (std::size_t i = 0; motion.hasFeed && i < feeds.size(); ++i) {
-    const double own = motion.samples[i].feedMmPerS;
-    feeds[i] = feeds[i] <= 0.0 && std::isfinite(own) ? own : feeds[i];
-  }
-  return feeds;
-}
+
+ private:
+  const Motion& m_motion;
+  const ProgramPath* m_path;
+  const PathMatch* m_match;
+  std::size_t m_next = 0;
+};
 
 void judgeFeed(MotionQuality& quality, const Motion& motion, const std::vector<Standstill>& stops,
                const ProgramPath* path, const PathMatch* match) {
   FeedKept& feed = quality.feed;
   addStanding(feed, stops);
-  const std::vector<double> feeds = feedsOf(motion, path, match);
+  ProgrammedFeeds feeds(motion, path, match);
+  MotionReader samples(motion.samples);
   double knownMm = 0.0;
   double keptMm = 0.0;
   double movingS = 0.0;
   double standingS = 0.0;
-  for (std::size_t i = 1; i < motion.samples.size(); ++i) {
-    const MotionSample& sample = motion.samples[i];
-    const double lengthMm =
-        base::distance(motion.placeMm(sample), motion.placeMm(motion.samples[i - 1]));
-    const double stepS = base::toSeconds(sample.at - motion.samples[i - 1].at);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const MotionSample& before = samples[i - 1];
+    const MotionSample& sample = samples[i];
+    const double lengthMm = base::distance(motion.placeMm(sample), motion.placeMm(before));
+    const double stepS = base::toSeconds(sample.at - before.at);
+    const double programmed = feeds.at(i, sample);
     if (lengthMm > 0.0 || movingS > 0.0) {
       standingS = lengthMm > 0.0 ? 0.0 : standingS + stepS;
       movingS += stepS;
     }
-    if (feeds[i] <= 0.0 || lengthMm == 0.0) {
+    if (programmed <= 0.0 || lengthMm == 0.0) {
       continue;
     }
     feed.known = true;
     knownMm += lengthMm;
-    keptMm += sample.pathMmPerS >= kFeedKeptShare * feeds[i] ? lengthMm : 0.0;
-    feed.programmedS += lengthMm / feeds[i];
+    keptMm += sample.pathMmPerS >= kFeedKeptShare * programmed ? lengthMm : 0.0;
+    feed.programmedS += lengthMm / programmed;
   }
   feed.motionS = movingS - standingS;
   feed.share = knownMm > 0.0 ? keptMm / knownMm : 0.0;
@@ -281,16 +306,23 @@ void addPeaks(Vibration& vibration, const std::vector<double>& spectrum, std::si
   }
 }
 
+/// Whether nearly all steps are the usual one.
+bool isRegular(const Motion& motion) {
+  const double stepS = base::toSeconds(motion.step);
+  PackedReader<PackedTimes> at(motion.samples.times());
+  std::size_t regular = 0;
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    const double own = base::toSeconds(at[i] - at[i - 1]);
+    regular += static_cast<std::size_t>(std::abs(own - stepS) <= 0.01 * stepS);
+  }
+  return 100 * regular >= 99 * (at.size() - 1);
+}
+
 void judgeVibration(MotionQuality& quality, const Motion& motion) {
   const double stepS = base::toSeconds(motion.step);
   const std::size_t count = motion.samples.size();
-  std::size_t regular = 0;
-  for (std::size_t i = 1; i < count; ++i) {
-    const double own = base::toSeconds(motion.samples[i].at - motion.samples[i - 1].at);
-    regular += static_cast<std::size_t>(std::abs(own - stepS) <= 0.01 * stepS);
-  }
   Vibration& vibration = quality.vibration;
-  vibration.known = count > kSpectrumSizeMin && 100 * regular >= 99 * (count - 1);
+  vibration.known = count > kSpectrumSizeMin && isRegular(motion);
   if (!vibration.known) {
     return;
   }
@@ -299,22 +331,26 @@ void judgeVibration(MotionQuality& quality, const Motion& motion) {
     size /= 2;
   }
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const auto position = [&](std::size_t i) {
-      return motion.hasActual ? motion.samples[i].actualMm[axis] : motion.samples[i].setMm[axis];
+    const MotionColumn ofX = motion.hasActual ? MotionColumn::ActualX : MotionColumn::SetX;
+    const auto column = static_cast<MotionColumn>(static_cast<std::size_t>(ofX) + axis);
+    if (motion.samples.isConstant(column)) {
+      continue;  // nothing vibrates
+    }
+    const PackedValues positions = motion.samples.valuesOf(column);
+    PackedReader<PackedValues> position(positions);
+    const auto acceleration = [&position, stepS](std::size_t i) {
+      return (position[i + 2] - 2.0 * position[i + 1] + position[i]) / (stepS * stepS);
     };
-    std::vector<double> acceleration;
-    for (std::size_t i = 2; i < count; ++i) {
-      acceleration.push_back((position(i) - 2.0 * position(i - 1) + position(i - 2)) /
-                             (stepS * stepS));
-    }
     double squares = 0.0;
-    for (std::size_t i = 1; i < acceleration.size(); ++i) {
-      const double jerk = (acceleration[i] - acceleration[i - 1]) / stepS;
+    double before = acceleration(0);
+    for (std::size_t i = 1; i + 2 < count; ++i) {
+      const double now = acceleration(i);
+      const double jerk = (now - before) / stepS;
       squares += jerk * jerk;
+      before = now;
     }
-    vibration.jerkRmsMmPerS3[axis] =
-        std::sqrt(squares / static_cast<double>(acceleration.size() - 1));
-    addPeaks(vibration, meanAmplitudes(acceleration, size, size), axis,
+    vibration.jerkRmsMmPerS3[axis] = std::sqrt(squares / static_cast<double>(count - 3));
+    addPeaks(vibration, meanAmplitudes(count - 2, acceleration, size, size), axis,
              1.0 / (stepS * static_cast<double>(size)));
   }
   std::sort(vibration.peaks.begin(), vibration.peaks.end(),
@@ -329,9 +365,10 @@ void judgeVibration(MotionQuality& quality, const Motion& motion) {
 std::vector<ContourDistance> contourDistances(const Motion& motion, const ProgramPath& path,
                                               const PathMatch& match) {
   std::vector<ContourDistance> distances;
+  MotionReader samples(motion.samples);
   for (const MatchedSample& matched : match.samples) {
     if (std::isfinite(matched.place.distanceMm)) {
-      const PathPlace actual = placeOfActual(motion, path, matched);
+      const PathPlace actual = placeOfActual(motion, samples[matched.sample], path, matched);
       distances.push_back({matched.sample, matched.place.segment, matched.place.lengthMm,
                            matched.place.distanceMm, actual.distanceMm, actual.lengthMm});
     }

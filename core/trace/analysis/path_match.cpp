@@ -62,8 +62,10 @@ struct Node {
 
 double fastestMmPerS(const Motion& motion, const ProgramPath& path) {
   double fastest = 0.0;
-  for (const MotionSample& sample : motion.samples) {
-    fastest = std::max(fastest, sample.pathMmPerS);
+  const PackedValues speeds = motion.samples.valuesOf(MotionColumn::Speed);
+  PackedReader<PackedValues> speed(speeds);
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    fastest = std::max(fastest, speed[i]);
   }
   for (const gcode::StreamPoint& point : path.points()) {
     fastest = std::max(fastest, point.feedMmPerS);
@@ -77,9 +79,10 @@ std::vector<Step> stepsOf(const Motion& motion, const ProgramPath& path, double 
   const double moveMm = 0.02 * toleranceMm;
   std::vector<Step> steps;
   base::Instant before{};
-  for (std::size_t i = 0; i < motion.samples.size(); ++i) {
-    const base::Vec3 place = motion.placeMm(motion.samples[i]);
-    const base::Instant at = motion.samples[i].at;
+  MotionReader samples(motion.samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const base::Vec3 place = motion.placeMm(samples[i]);
+    const base::Instant at = samples[i].at;
     if (steps.empty()) {
       steps.push_back({i, place, 0.0, 0.0});
     } else {

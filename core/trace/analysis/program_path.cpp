@@ -39,6 +39,10 @@ ProgramPath::ProgramPath(std::vector<gcode::StreamPoint> points, base::Vec3 star
   }
   m_boxes.resize(2 * size / kLeaf);
   sort(1, 0, size);
+  m_ends.reserve(m_bySpace.size());
+  for (const std::uint32_t segment : m_bySpace) {
+    m_ends.push_back({begin(segment), m_points[segment].positionMm});
+  }
 }
 
 void ProgramPath::sort(std::size_t node, std::size_t first, std::size_t size) {
@@ -77,6 +81,16 @@ std::size_t ProgramPath::segmentAt(double lengthMm) const {
   return std::min(static_cast<std::size_t>(found - m_lengths.begin() - 1), m_points.size() - 1);
 }
 
+std::size_t ProgramPath::lastOf(std::size_t first, double fromMm, double toMm) const {
+  constexpr std::size_t kShort = 8;
+  std::size_t segment = first;
+  while (segment + 1 < m_points.size() && segment < first + kShort &&
+         m_lengths[segment + 1] < toMm) {
+    ++segment;
+  }
+  return segment < first + kShort && toMm >= fromMm ? segment : segmentAt(toMm);
+}
+
 base::Vec3 ProgramPath::at(double lengthMm) const {
   const std::size_t segment = segmentAt(lengthMm);
   const double length = m_lengths[segment + 1] - m_lengths[segment];
@@ -100,21 +114,21 @@ bool ProgramPath::isBlockEnd(std::size_t segment) const {
          m_points[segment + 1].kind != point.kind;
 }
 
-PathPlace ProgramPath::placeOn(std::size_t segment, base::Vec3 position) const {
-  const base::Vec3 from = begin(segment);
-  const base::Vec3 along = m_points[segment].positionMm - from;
+ProgramPath::Foot ProgramPath::footOn(const Ends& ends, base::Vec3 position) {
+  const base::Vec3 along = ends.to - ends.from;
   const double squares = base::dot(along, along);
   const double share =
-      squares > 0.0 ? std::clamp(base::dot(position - from, along) / squares, 0.0, 1.0) : 1.0;
-  return {m_lengths[segment] + share * (m_lengths[segment + 1] - m_lengths[segment]),
-          base::distance(position, from + share * along), segment};
+      squares > 0.0 ? std::clamp(base::dot(position - ends.from, along) / squares, 0.0, 1.0) : 1.0;
+  return {share, base::distance(position, ends.from + share * along)};
 }
 
-void ProgramPath::lookAt(std::size_t segment, Search& search) const {
-  const PathPlace place = placeOn(segment, search.position);
-  if (place.distanceMm <= search.radiusMm) {
-    search.found.push_back(place);
-  }
+PathPlace ProgramPath::placeAt(std::size_t segment, const Foot& foot) const {
+  return {m_lengths[segment] + foot.share * (m_lengths[segment + 1] - m_lengths[segment]),
+          foot.distanceMm, segment};
+}
+
+PathPlace ProgramPath::placeOn(std::size_t segment, base::Vec3 position) const {
+  return placeAt(segment, footOn({begin(segment), m_points[segment].positionMm}, position));
 }
 
 void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t size,
@@ -135,15 +149,19 @@ void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t size,
     return;
   }
   for (std::size_t i = first; i < std::min(first + kLeaf, m_bySpace.size()); ++i) {
-    lookAt(m_bySpace[i], search);
+    const Foot foot = footOn(m_ends[i], search.position);
+    if (foot.distanceMm <= search.radiusMm) {
+      search.found.push_back(placeAt(m_bySpace[i], foot));
+    }
   }
 }
 
 std::vector<PathPlace> ProgramPath::minima(std::vector<PathPlace> found) const {
   std::ranges::sort(found, {}, &PathPlace::segment);
-  std::vector<PathPlace> minima;
+  std::size_t kept = 0;
+  std::size_t segmentBefore = 0;  // whether it was kept or not
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool hasBefore = i > 0 && found[i - 1].segment + 1 == found[i].segment;
+    const bool hasBefore = i > 0 && segmentBefore + 1 == found[i].segment;
     const bool hasAfter = i + 1 < found.size() && found[i].segment + 1 == found[i + 1].segment;
     // A vertex belongs to both of its segments.
     const bool isAtBegin = found[i].lengthMm <= m_lengths[found[i].segment];
@@ -152,11 +170,13 @@ std::vector<PathPlace> ProgramPath::minima(std::vector<PathPlace> found) const {
     // Rounding must not give it to none of them.
     const bool isBehind = hasAfter && found[i + 1].lengthMm > m_lengths[found[i + 1].segment];
     const bool isOfAfter = isAtEnd && isBehind && found[i + 1].distanceMm < found[i].distanceMm;
+    segmentBefore = found[i].segment;
     if (!isOfBefore && !isOfAfter) {
-      minima.push_back(found[i]);
+      found[kept++] = found[i];
     }
   }
-  return minima;
+  found.resize(kept);
+  return found;
 }
 
 std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) const {
@@ -176,9 +196,13 @@ std::optional<std::vector<PathPlace>> ProgramPath::nearIfFew(base::Vec3 position
 std::vector<PathPlace> ProgramPath::nearWithin(base::Vec3 position, double radiusMm, double fromMm,
                                                double toMm) const {
   Search search{position, radiusMm, m_points.size(), {}};
-  const std::size_t last = segmentAt(toMm);
-  for (std::size_t segment = segmentAt(fromMm); segment <= last; ++segment) {
-    lookAt(segment, search);
+  const std::size_t first = segmentAt(fromMm);
+  const std::size_t last = lastOf(first, fromMm, toMm);
+  for (std::size_t segment = first; segment <= last; ++segment) {
+    const PathPlace place = placeOn(segment, position);
+    if (place.distanceMm <= radiusMm) {
+      search.found.push_back(place);
+    }
   }
   return minima(std::move(search.found));
 }
@@ -186,8 +210,9 @@ std::vector<PathPlace> ProgramPath::nearWithin(base::Vec3 position, double radiu
 PathPlace ProgramPath::nearest(base::Vec3 position, double fromMm, double toMm) const {
   PathPlace best;
   best.distanceMm = std::numeric_limits<double>::infinity();
-  const std::size_t last = segmentAt(toMm);
-  for (std::size_t segment = segmentAt(fromMm); segment <= last; ++segment) {
+  const std::size_t first = segmentAt(fromMm);
+  const std::size_t last = lastOf(first, fromMm, toMm);
+  for (std::size_t segment = first; segment <= last; ++segment) {
     const PathPlace place = placeOn(segment, position);
     if (place.distanceMm < best.distanceMm) {
       best = place;

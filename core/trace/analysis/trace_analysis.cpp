@@ -16,8 +16,9 @@ namespace {
 Motion motionOfLive(const Recording& recording) {
   Motion motion;
   motion.hasActual = true;
+  MotionSample before;
   for (const LiveSample& live : recording.samples) {
-    if (!live.positionMm || (!motion.samples.empty() && live.at <= motion.samples.back().at)) {
+    if (!live.positionMm || (!motion.samples.empty() && live.at <= before.at)) {
       continue;
     }
     MotionSample sample;
@@ -25,11 +26,11 @@ Motion motionOfLive(const Recording& recording) {
     sample.actualMm = *live.positionMm;
     sample.feedMmPerS = kNoValue;
     if (!motion.samples.empty()) {
-      const MotionSample& before = motion.samples.back();
       sample.pathMmPerS =
           base::distance(sample.actualMm, before.actualMm) / base::toSeconds(sample.at - before.at);
     }
     motion.samples.push_back(sample);
+    before = sample;
   }
   return motion;
 }

@@ -41,7 +41,7 @@ constexpr std::size_t kSectionsMax = 20;
 struct Column {
   std::string name;
   std::string unit;
-  std::vector<double> values;
+  PackedValues values;
   std::optional<SignalRole> role{};
   double factor = 1.0;  ///< to s, mm, mm/s
   bool isChosen = false;
@@ -77,19 +77,31 @@ std::vector<std::string> scopeValues(const TextTable& table, std::string_view ke
   return values;
 }
 
+/// The first value that is one; nothing: there is none.
+std::optional<double> firstValue(const PackedValues& values) {
+  PackedReader<PackedValues> reader(values);
+  for (std::size_t row = 0; row < reader.size(); ++row) {
+    if (std::isfinite(reader[row])) {
+      return reader[row];
+    }
+  }
+  return std::nullopt;
+}
+
 /// Windows counts 100 ns since 1601. Whatever else counts to such numbers has another magnitude:
 /// the same moments since 1970 are less than 5e12 in ms, more than 5e14 in µs and 5e17 in ns.
 void takeFiletime(Column& column) {
   constexpr double kYear1980 = 1.19e17;
   constexpr double kYear2100 = 1.58e17;
   constexpr double kYear1970 = 116'444'736'000'000'000.0;
-  const auto first = std::find_if(column.values.begin(), column.values.end(),
-                                  [](double value) { return std::isfinite(value); });
-  if (first == column.values.end() || *first < kYear1980 || *first > kYear2100) {
+  const std::optional<double> first = firstValue(column.values);
+  if (!first || *first < kYear1980 || *first > kYear2100) {
     return;
   }
-  for (double& value : column.values) {
-    value -= kYear1970;
+  const PackedValues counts = std::exchange(column.values, {});
+  PackedReader<PackedValues> reader(counts);
+  for (std::size_t row = 0; row < counts.size(); ++row) {
+    column.values.push_back(reader[row] - kYear1970);
   }
   column.unit = kFiletimeUnit;
   column.factor = unitFactor(column.unit, SignalRole::Time).value_or(1.0);
@@ -223,11 +235,13 @@ void makeUnique(std::vector<Column>& columns, std::vector<Remark>& remarks) {
   }
 }
 
-bool isAscending(const std::vector<double>& values) {
+bool isAscending(const PackedValues& values) {
   std::size_t steps = 0;
   std::size_t ascending = 0;
   double before = kNoValue;
-  for (const double value : values) {
+  PackedReader<PackedValues> reader(values);
+  for (std::size_t row = 0; row < reader.size(); ++row) {
+    const double value = reader[row];
     // Of several columns of time, the shorter ones end with empty cells.
     if (!std::isfinite(value)) {
       continue;
@@ -240,12 +254,13 @@ bool isAscending(const std::vector<double>& values) {
 }
 
 /// Every row one more than the row before: the number of the sample, not a time.
-bool isCounter(const std::vector<double>& values) {
+bool isCounter(const PackedValues& values) {
   return values.size() > 2 && values[0] == std::floor(values[0]) && values[1] - values[0] == 1.0 &&
          values[2] - values[1] == 1.0;
 }
 
-double medianStep(const std::vector<double>& values) {
+template <class List>
+double medianStep(const List& values) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size() && steps.size() < 1001; ++i) {
     if (values[i] > values[i - 1]) {
@@ -263,12 +278,10 @@ void guessTimeUnit(Column& column, std::vector<Remark>& remarks) {
   // Since 1970, the magnitude tells: a date of this century.
   constexpr double kYear2000S = 9.5e8;
   constexpr double kYear2100S = 4.1e9;
-  const auto known = std::find_if(column.values.begin(), column.values.end(),
-                                  [](double value) { return std::isfinite(value); });
+  const std::optional<double> known = firstValue(column.values);
   for (const char* const unit : {"ms", "us", "ns"}) {
     const double factor = unitFactor(unit, SignalRole::Time).value_or(1.0);
-    if (known != column.values.end() && factor * *known > kYear2000S &&
-        factor * *known < kYear2100S) {
+    if (known && factor * *known > kYear2000S && factor * *known < kYear2100S) {
       column.unit = unit;
       column.factor = factor;
       return;
@@ -334,7 +347,9 @@ base::Result<std::vector<Column>> datasetColumns(Hdf5Content& content, const bas
     column.name = count[row.name] > 1 ? row.path() : row.name;
     column.unit = row.unit.empty() ? splitUnit(row.name).unit : row.unit;
     column.values = std::move(row.values);
-    column.values.resize(length, kNoValue);
+    while (column.values.size() < length) {
+      column.values.push_back(kNoValue);
+    }
     columns.push_back(std::move(column));
   };
   std::vector<const Hdf5Row*> owners;
@@ -472,8 +487,9 @@ struct RowsInTime {
 RowsInTime rowsOf(const Column& time, std::vector<Remark>& remarks) {
   RowsInTime found;
   std::size_t same = 0;
-  for (std::size_t row = 0; row < time.values.size(); ++row) {
-    const double seconds = time.factor * time.values[row];
+  PackedReader<PackedValues> reader(time.values);
+  for (std::size_t row = 0; row < reader.size(); ++row) {
+    const double seconds = time.factor * reader[row];
     if (!std::isfinite(seconds) || std::abs(seconds) > kSecondsMax) {
       continue;
     }
@@ -585,16 +601,87 @@ RowsInTime rowsInTime(const Column& time, bool isAlone, std::vector<Remark>& rem
   return found;
 }
 
-/// A column that counts the samples shows gaps: its values are the time, at the rate.
-TimeBase countedTime(std::vector<Column>& columns, double rateHz) {
-  TimeBase base;
-  const std::size_t rows = columns.empty() ? 0 : columns[0].values.size();
+/// Which rows of the columns a time base has; nothing: all of them.
+using ChosenRows = std::optional<std::vector<std::size_t>>;
+
+/// A time base and its rows.
+struct TimesOfRows {
+  PackedTimes at;
+  ChosenRows rows;
+};
+
+/// A column that counts the samples shows gaps: its values are the time, at the rate. Where it
+/// jumps back, it is no time.
+TimesOfRows countedTime(const std::vector<Column>& columns, double rateHz) {
+  TimesOfRows times;
+  const std::size_t count = columns.empty() ? 0 : columns[0].values.size();
   const bool isTagged = !columns.empty() && !columns[0].role && isCounter(columns[0].values);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double sample = isTagged ? columns[0].values[row] : static_cast<double>(row);
-    base.at.push_back(base::Instant{base::fromSeconds(sample / rateHz)});
+  const PackedValues none;
+  PackedReader<PackedValues> counter(isTagged ? columns[0].values : none);
+  base::Instant before = base::Instant::min();
+  for (std::size_t row = 0; row < count; ++row) {
+    const double sample = isTagged ? counter[row] : static_cast<double>(row);
+    const base::Instant at{base::fromSeconds(sample / rateHz)};
+    const bool isLater = row == 0 || at > before;
+    if (!isLater && !times.rows) {
+      times.rows.emplace(row);
+      std::iota(times.rows->begin(), times.rows->end(), std::size_t{0});
+    } else if (isLater && times.rows) {
+      times.rows->push_back(row);
+    }
+    if (isLater) {
+      times.at.push_back(at);
+      before = at;
+    }
   }
-  return base;
+  return times;
+}
+
+/// Of a column of time that ascends in every row, as nearly all do; nothing: it does not.
+std::optional<PackedTimes> ascendingTimes(const Column& time) {
+  PackedTimes at;
+  PackedReader<PackedValues> reader(time.values);
+  double before = -std::numeric_limits<double>::infinity();
+  for (std::size_t row = 0; row < reader.size(); ++row) {
+    const double seconds = time.factor * reader[row];
+    // Negated, so that what is no number fails.
+    if (!(seconds > before && std::abs(seconds) <= kSecondsMax)) {
+      return std::nullopt;
+    }
+    at.push_back(base::Instant{base::fromSeconds(seconds)});
+    before = seconds;
+  }
+  return at;
+}
+
+/// @param isAlone  no other column of time  @param sections  those that begin are added
+TimesOfRows timesOf(const Column& time, bool isAlone, std::vector<base::Instant>& sections,
+                    std::vector<Remark>& remarks) {
+  if (auto at = ascendingTimes(time)) {
+    return {std::move(*at), std::nullopt};
+  }
+  RowsInTime found = rowsInTime(time, isAlone, remarks);
+  TimesOfRows times;
+  for (const double seconds : found.seconds) {
+    times.at.push_back(base::Instant{base::fromSeconds(seconds)});
+  }
+  for (const std::size_t begin : found.begins) {
+    sections.push_back(times.at[begin]);
+  }
+  times.rows = std::move(found.rows);
+  return times;
+}
+
+PackedValues valuesIn(const ChosenRows& rows, const PackedValues& all) {
+  if (!rows) {
+    return all;
+  }
+  PackedValues values;
+  PackedReader<PackedValues> reader(all);
+  for (const std::size_t row : *rows) {
+    values.push_back(reader[row]);
+  }
+  return values;
 }
 
 /// The columns as signals, each with the column of time before it.
@@ -603,39 +690,21 @@ SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
   SignalTrace trace;
   const auto isTime = [](const Column& column) { return column.role == SignalRole::Time; };
   const auto firstTime = std::find_if(columns.begin(), columns.end(), isTime);
-  std::vector<std::size_t> rows;
+  ChosenRows rows;
   if (firstTime == columns.end()) {
     const double rateHz = mapping.rateHz.value_or(kRateHzAssumed);
     if (!mapping.rateHz) {
       remarks.push_back({RemarkCode::RateAssumed, {fmt::format("{}", rateHz)}});
     }
-    trace.timeBases.push_back(countedTime(columns, rateHz));
-    // A counter that jumps back is no time.
-    std::vector<base::Instant>& at = trace.timeBases[0].at;
-    for (std::size_t row = 0; row < at.size(); ++row) {
-      if (rows.empty() || at[row] > at[rows.back()]) {
-        rows.push_back(row);
-      }
-    }
-    std::vector<base::Instant> kept;
-    for (const std::size_t row : rows) {
-      kept.push_back(at[row]);
-    }
-    at = std::move(kept);
+    TimesOfRows times = countedTime(columns, rateHz);
+    rows = std::move(times.rows);
+    trace.timeBases.push_back({{}, std::move(times.at)});
   }
   const bool isAlone = std::count_if(columns.begin(), columns.end(), isTime) == 1;
   const auto addBase = [&](const Column& time) {
-    RowsInTime found = rowsInTime(time, isAlone, remarks);
-    TimeBase base{time.name, {}};
-    base.at.reserve(found.rows.size());
-    for (const double seconds : found.seconds) {
-      base.at.push_back(base::Instant{base::fromSeconds(seconds)});
-    }
-    for (const std::size_t begin : found.begins) {
-      trace.sections.push_back(base.at[begin]);
-    }
-    rows = std::move(found.rows);
-    trace.timeBases.push_back(std::move(base));
+    TimesOfRows times = timesOf(time, isAlone, trace.sections, remarks);
+    rows = std::move(times.rows);
+    trace.timeBases.push_back({time.name, std::move(times.at)});
   };
   if (firstTime != columns.end()) {
     addBase(*firstTime);
@@ -645,15 +714,11 @@ SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
       if (column != firstTime) {
         addBase(*column);
       }
+      column->values.clear();
       continue;
     }
-    Signal signal{column->name, column->unit, trace.timeBases.size() - 1, {}};
-    signal.values.reserve(rows.size());
-    for (const std::size_t row : rows) {
-      signal.values.push_back(column->values[row]);
-    }
-    column->values = {};
-    trace.signalList.push_back(std::move(signal));
+    trace.signalList.push_back({column->name, column->unit, trace.timeBases.size() - 1,
+                                valuesIn(rows, std::exchange(column->values, {}))});
   }
   if (trace.timeBases.size() > 1) {
     trace.remarks.push_back({RemarkCode::SeveralTimes, {std::to_string(trace.timeBases.size())}});
@@ -675,10 +740,14 @@ bool isSparse(const SignalTrace& trace, const std::vector<ColumnRole>& roles) {
   }
   std::size_t all = 0;
   std::vector<std::size_t> counts(positions.size());
+  std::vector<PackedReader<PackedValues>> values;
+  for (const Signal* position : positions) {
+    values.emplace_back(position->values);
+  }
   for (std::size_t row = 0; row < trace.timeBases[0].at.size(); ++row) {
     std::size_t here = 0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      const bool is = std::isfinite(positions[i]->values[row]);
+      const bool is = std::isfinite(values[i][row]);
       counts[i] += static_cast<std::size_t>(is);
       here += static_cast<std::size_t>(is);
     }
@@ -691,8 +760,9 @@ bool isSparse(const SignalTrace& trace, const std::vector<ColumnRole>& roles) {
 /// Where the signal has values.
 std::vector<std::size_t> rowsWith(const Signal& signal) {
   std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < signal.values.size(); ++row) {
-    if (std::isfinite(signal.values[row])) {
+  PackedReader<PackedValues> values(signal.values);
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::isfinite(values[row])) {
       rows.push_back(row);
     }
   }
@@ -723,7 +793,7 @@ void separateSparse(SignalTrace& trace, const std::vector<ColumnRole>& roles) {
   if (trace.timeBases.size() != 1 || !isSparse(trace, roles)) {
     return;
   }
-  const std::vector<base::Instant> all = trace.timeBases[0].at;
+  const PackedTimes all = trace.timeBases[0].at;
   const std::vector<std::size_t> leading = leadingRows(trace, roles);
   std::map<std::vector<std::size_t>, std::size_t> bases;  // of the same rows
   for (Signal& signal : trace.signalList) {
@@ -746,12 +816,14 @@ void separateSparse(SignalTrace& trace, const std::vector<ColumnRole>& roles) {
     if (isNew) {
       trace.timeBases.push_back({trace.timeBases[0].name, {}});
     }
-    std::vector<double> values;
+    PackedValues values;
+    PackedReader<PackedTimes> allAt(all);
+    PackedReader<PackedValues> allValues(signal.values);
     for (const auto& [at, from] : kept) {
       if (isNew) {
-        trace.timeBases.back().at.push_back(all[at]);
+        trace.timeBases.back().at.push_back(allAt[at]);
       }
-      values.push_back(signal.values[from]);
+      values.push_back(allValues[from]);
     }
     signal.timeBase = found->second;
     signal.values = std::move(values);
@@ -901,9 +973,11 @@ base::Result<ImportedTrace> importColumns(std::vector<Column> columns, std::vect
   return imported;
 }
 
-base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping,
-                                        const base::Budget& budget) {
-  auto table = readTable(text, budget);
+/// @param facts  of the text
+base::Result<ImportedTrace> importTable(TextBlocks& blocks, const TextFacts& facts,
+                                        const TableMapping& mapping, const base::Budget& budget,
+                                        base::Executor& executor) {
+  auto table = readTable(blocks, facts, budget, executor);
   if (!table) {
     return base::fail(table.error());
   }
@@ -915,6 +989,13 @@ base::Result<ImportedTrace> importTable(std::string_view text, const TableMappin
         isScope ? "TwinCAT Scope" : (table->head.empty() ? "halsampler" : "CSV");
   }
   return imported;
+}
+
+base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping,
+                                        const base::Budget& budget, base::Executor& executor) {
+  BlocksInMemory blocks(text);
+  const auto facts = factsOf(blocks, executor);
+  return facts ? importTable(blocks, *facts, mapping, budget, executor) : base::fail(facts.error());
 }
 
 base::Result<ImportedTrace> importDatasets(std::string_view bytes, const TableMapping& mapping,
@@ -954,7 +1035,8 @@ base::Result<ImportedTrace> importSignals(SignalTrace trace, const TableMapping&
 }
 
 base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMapping& mapping,
-                                        const base::Budget& budget) {
+                                        const base::Budget& budget, base::Executor* executor) {
+  base::SerialExecutor serial;
   Unpacked unpacked;
   if (isCompressed(bytes)) {
     auto done = unpack(bytes, budget);
@@ -974,13 +1056,52 @@ base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMappi
     return base::fail(text.error());
   }
   rest = rest.without(converted.capacity());
-  auto imported = isMtconnect(*text)        ? importMtconnect(*text, mapping, rest)
-                  : isSinumerikTrace(*text) ? importSinumerik(*text, mapping, rest)
-                                            : importTable(*text, mapping, rest);
+  auto imported = isMtconnect(*text) ? importMtconnect(*text, mapping, rest)
+                  : isSinumerikTrace(*text)
+                      ? importSinumerik(*text, mapping, rest)
+                      : importTable(*text, mapping, rest, executor != nullptr ? *executor : serial);
   if (imported && !unpacked.whole) {
     imported->trace.remarks.insert(imported->trace.remarks.begin(), {RemarkCode::CutCompressed});
   }
   return imported;
+}
+
+base::Result<std::optional<ImportedTrace>> importLargeTable(base::ByteSource& bytes,
+                                                            const TableMapping& mapping,
+                                                            const base::Budget& budget,
+                                                            base::Executor* executor) {
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  constexpr std::uint64_t kLargeBytes = 2 * TextBlocks::kBlockBytes;
+  base::SerialExecutor serial;
+  base::Executor& jobs = executor != nullptr ? *executor : serial;
+  if (bytes.size() < kLargeBytes) {
+    return std::nullopt;
+  }
+  const auto head = bytes.read(0, kUtf8Mark.size());
+  if (!head) {
+    return base::fail(head.error());
+  }
+  auto blocks = BlocksInFile::open(bytes, *head == kUtf8Mark ? kUtf8Mark.size() : 0, budget);
+  if (!blocks) {
+    return base::fail(blocks.error());
+  }
+  const std::string_view text = blocks->beginning();
+  // Lines as long as these are those of a format that is known as a whole only.
+  constexpr std::ptrdiff_t kLinesMin = 1000;
+  if (isCompressed(text) || isHdf5(text) || isMtconnect(text) || isSinumerikTrace(text) ||
+      std::count(text.begin(), text.end(), '\n') < kLinesMin) {
+    return std::nullopt;
+  }
+  const auto facts = factsOf(*blocks, jobs);
+  if (!facts) {
+    return base::fail(facts.error());
+  }
+  if (!facts->isUtf8) {
+    return std::nullopt;
+  }
+  auto imported = importTable(*blocks, *facts, mapping, budget, jobs);
+  return imported ? base::Result<std::optional<ImportedTrace>>(std::move(*imported))
+                  : base::fail(imported.error());
 }
 
 }  // namespace rivulet::trace

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "base/budget.h"
+#include "base/byte_source.h"
+#include "base/executor.h"
 #include "base/result.h"
 #include "trace/import/columns.h"
 #include "trace/signals.h"
@@ -44,12 +46,19 @@ struct ImportedTrace {
   TablePreview table;
 };
 
-/// @param budget  without the bytes themselves
+/// @param budget  without the bytes themselves  @param executor  null: one thread
 /// @return error NotATable: nothing can be read; AgentRefused: it is a refusal; BadMapping: a
 /// column is not there; BudgetError::Exceeded, also if only the analysis would take more
 [[nodiscard]] base::Result<ImportedTrace> importTrace(std::string_view bytes,
                                                       const TableMapping& mapping = {},
-                                                      const base::Budget& budget = {});
+                                                      const base::Budget& budget = {},
+                                                      base::Executor* executor = nullptr);
+
+/// The same of a table that is read block by block, so that its text is not held.
+/// @return nothing: it is not so large, or something else, or not UTF-8; `importTrace` reads it
+[[nodiscard]] base::Result<std::optional<ImportedTrace>> importLargeTable(
+    base::ByteSource& bytes, const TableMapping& mapping = {}, const base::Budget& budget = {},
+    base::Executor* executor = nullptr);
 
 /// Signals that have their own times, from elsewhere than a file; what they mean is guessed from
 /// their names. @param trace  each signal has a value or more

@@ -388,7 +388,7 @@ base::Result<MtconnectTrace> traceOf(Content content) {
 }
 
 /// The usual step between two values; nothing: too few to tell.
-std::optional<base::Duration> stepOf(const std::vector<base::Instant>& at) {
+std::optional<base::Duration> stepOf(const PackedTimes& at) {
   std::vector<base::Duration> steps;
   for (std::size_t i = 1; i < at.size(); ++i) {
     steps.push_back(at[i] - at[i - 1]);
@@ -405,8 +405,8 @@ class GapFiller {
   /// @param others  times at which it is wanted in its gaps, ascending
   void fill(base::Duration gapMin, base::Duration step, base::Instant last,
             const std::vector<base::Instant>& others) {
-    const std::vector<base::Instant> at = std::move(m_base->at);
-    const std::vector<double> values = std::move(m_signal->values);
+    const PackedTimes at = std::move(m_base->at);
+    const PackedValues values = std::move(m_signal->values);
     m_base->at.clear();
     m_signal->values.clear();
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -479,8 +479,7 @@ base::Result<void> addHeldValues(MtconnectTrace& read, const std::vector<bool>& 
   std::optional<base::Duration> motionStep;
   std::size_t positions = 0;
   for (std::size_t i = 0; i < read.kinds.size(); ++i) {
-    const std::vector<base::Instant>& at =
-        read.trace.timeBases[read.trace.signalList[i].timeBase].at;
+    const PackedTimes& at = read.trace.timeBases[read.trace.signalList[i].timeBase].at;
     if (isPosition[i]) {
       ++positions;
       others.insert(others.end(), at.begin(), at.end());

@@ -93,7 +93,7 @@ base::Result<SignalTrace> readSinumerikTrace(std::string_view text, const base::
         continue;
       }
       Signal& signal = trace.signalList[found->second];
-      std::vector<base::Instant>& times = trace.timeBases[signal.timeBase].at;
+      PackedTimes& times = trace.timeBases[signal.timeBase].at;
       if (!times.empty() && at <= times.back()) {
         ++backwards;
         continue;

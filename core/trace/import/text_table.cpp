@@ -3,14 +3,18 @@
 
 #include "trace/import/text_table.h"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "base/text.h"
+#include "trace/control_trace.h"
 #include "trace/import/import_error.h"
 #include "trace/lines.h"
 #include "trace/signals.h"
@@ -25,7 +29,6 @@ constexpr std::size_t kLayoutLines = 400;
 constexpr std::size_t kHeadLinesMax = 200;
 
 // What is held of a table, with the signals that are made of it and their analysis, bytes.
-constexpr std::size_t kCellBytes = 2 * sizeof(double);
 constexpr std::size_t kColumnBytes = 1000;  // beside its values: names, roles, remarks
 
 struct TableLayout {
@@ -201,18 +204,7 @@ void appendUtf8(std::string& out, char32_t c) {
   }
 }
 
-/// Cells are split line by line, and the longest line may be all of the text.
-base::Result<void> requireCells(std::string_view text, const base::Budget& budget) {
-  constexpr double kBytesPerCharacter = 2 * sizeof(std::string_view);  // a list that grows
-  std::size_t longest = 0;
-  lines::LineReader reader(text);
-  while (const auto line = reader.next()) {
-    longest = std::max(longest, line->text.size());
-  }
-  return budget.require(kBytesPerCharacter * static_cast<double>(longest), "A row of the table");
-}
-
-/// One row that does not fit.
+/// Rows that do not fit.
 struct OddRows {
   std::size_t count = 0;
   std::size_t firstLine = 0;
@@ -221,33 +213,16 @@ struct OddRows {
     firstLine = count == 0 ? line : firstLine;
     ++count;
   }
+  /// @param linesBefore  of the text before the one that `later` is about
+  void add(const OddRows& later, std::size_t linesBefore) {
+    firstLine = count == 0 && later.count > 0 ? linesBefore + later.firstLine : firstLine;
+    count += later.count;
+  }
 };
 
 }  // namespace
 
 namespace {
-
-/// Bytes beyond ASCII come in sequences as UTF-8 has them.
-bool isUtf8(std::string_view bytes) {
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const auto first = static_cast<unsigned char>(bytes[i]);
-    const int more = first < 0x80                    ? 0
-                     : first >= 0xC2 && first < 0xE0 ? 1
-                     : first >= 0xE0 && first < 0xF0 ? 2
-                     : first >= 0xF0 && first < 0xF5 ? 3
-                                                     : -1;
-    if (more < 0) {
-      return false;
-    }
-    // A file may be cut within its last character.
-    for (int left = more; left > 0 && i + 1 < bytes.size(); --left) {
-      if ((static_cast<unsigned char>(bytes[++i]) & 0xC0U) != 0x80U) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 /// Each byte is a character, as tools on old computers write it.
 void appendLatin1(std::string& text, std::string_view bytes) {
@@ -321,6 +296,8 @@ class RowReader {
     }
     return line;
   }
+  [[nodiscard]] std::size_t linesRead() const { return m_reader.linesRead(); }
+  [[nodiscard]] std::string_view rest() const { return m_reader.rest(); }
 
  private:
   static constexpr int kLinesOfCell = 4;
@@ -334,9 +311,10 @@ class RowReader {
 };
 
 /// What the first date says that can be read in one way only. @param sample  the first lines
-/// @return nothing: there are dates with slashes, and none says it
-std::optional<DateOrder> datesOf(std::string_view text, const std::vector<std::string_view>& sample,
-                                 const TableLayout& layout) {
+/// @return nothing: there are dates with slashes, and none says it; errors of `TextBlocks::next`
+base::Result<std::optional<DateOrder>> datesOf(TextBlocks& blocks,
+                                               const std::vector<std::string_view>& sample,
+                                               const TableLayout& layout) {
   std::vector<std::string_view> cells;
   const bool hasSlashes = std::any_of(sample.begin(), sample.end(), [&](std::string_view line) {
     splitCells(line, layout.separator, cells);
@@ -345,16 +323,25 @@ std::optional<DateOrder> datesOf(std::string_view text, const std::vector<std::s
   if (!hasSlashes) {
     return layout.dates;
   }
-  lines::LineReader reader(text);
-  while (const auto line = reader.next()) {
-    splitCells(line->text, layout.separator, cells);
-    for (const std::string_view cell : cells) {
-      if (const auto order = dateOrderOf(cell)) {
-        return order;
+  blocks.rewind();
+  for (;;) {
+    const auto block = blocks.next();
+    if (!block) {
+      return base::fail(block.error());
+    }
+    if (!*block) {
+      return std::nullopt;
+    }
+    lines::LineReader reader(**block);
+    while (const auto line = reader.next()) {
+      splitCells(line->text, layout.separator, cells);
+      for (const std::string_view cell : cells) {
+        if (const auto order = dateOrderOf(cell)) {
+          return order;
+        }
       }
     }
   }
-  return std::nullopt;
 }
 
 /// A time of day belongs to the date beside it, or to the only one. Without a date, it goes on
@@ -379,101 +366,232 @@ void completeTimes(TextTable& table) {
     }
     double midnight = 0.0;
     double before = 0.0;
-    for (std::size_t row = 0; row < table.columns[i].size(); ++row) {
-      double& value = table.columns[i][row];
+    const PackedValues times = std::exchange(table.columns[i], {});
+    PackedReader<PackedValues> timeAt(times);
+    PackedReader<PackedValues> dayAt(table.columns[date.value_or(i)]);
+    for (std::size_t row = 0; row < times.size(); ++row) {
+      double value = timeAt[row];
       if (date) {
-        const double day = table.columns[*date][row];
+        const double day = dayAt[row];
         midnight = std::isfinite(day) ? day : midnight;
       } else if (std::isfinite(value)) {
         midnight += value < before - kDayS / 2 ? kDayS : 0.0;
         before = value;
       }
       value += midnight;
+      table.columns[i].push_back(value);
     }
     table.kinds[i] = ClockKind::Timestamp;
   }
 }
 
-/// Reads the rows one after another.
-class TableBuilder {
+/// The rows of a part of the text, after the head.
+class RowParser {
  public:
-  TableBuilder(const TableLayout& layout, const base::Budget& budget)
-      : m_layout(layout), m_budget(budget), m_held(layout.width * kColumnBytes) {
-    m_table.columns.resize(layout.width);
-    m_table.kinds.resize(layout.width);
+  explicit RowParser(const TableLayout& layout) : m_layout(layout), m_kinds(layout.width) {}
+
+  void parse(std::string_view text) {
+    lines::LineReader reader(text);
+    while (const auto line = reader.next()) {
+      m_lines = line->number;
+      add(*line);
+    }
   }
-  [[nodiscard]] bool hasBegun() const { return m_hasBegun; }
-  /// @return error BudgetError::Exceeded
-  base::Result<void> add(const lines::LineReader::Line& line);
-  [[nodiscard]] TextTable finish();
+  [[nodiscard]] std::size_t rows() const { return m_values.size() / m_layout.width; }
+  [[nodiscard]] double value(std::size_t row, std::size_t column) const {
+    return m_values[row * m_layout.width + column];
+  }
 
  private:
-  void addRow(std::size_t line);
+  friend class TableBuilder;
+
+  void add(const lines::LineReader::Line& line) {
+    const std::size_t before = m_values.size();
+    if (readNumbers(line.text)) {
+      return;
+    }
+    m_values.resize(before);
+    splitCells(line.text, m_layout.separator, m_cells);
+    const std::size_t width = widthOf(m_cells);
+    if (width == 0) {
+      return;
+    }
+    if (width == m_layout.width || m_cells.size() == m_layout.width) {
+      addRow(line.number);
+    } else if (line.whole) {
+      m_odd.add(line.number);
+    } else {
+      m_isCut = true;
+    }
+  }
+
+  /// Nearly every row holds plain numbers and nothing else. @return false: this one does not
+  bool readNumbers(std::string_view line) {
+    constexpr std::ptrdiff_t kCellMax = 63;  // as `cellValue`, of numbers with a comma
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    const fast_float::parse_options options(fast_float::chars_format::general, m_layout.decimal);
+    const bool isTabbed = m_layout.separator == '\t';
+    const auto skipBlanks = [&] {
+      while (at != end && (*at == ' ' || (*at == '\t' && !isTabbed))) {
+        ++at;
+      }
+    };
+    for (std::size_t column = 0; column < m_layout.width; ++column) {
+      skipBlanks();
+      double value = 0.0;
+      const auto [next, status] = fast_float::from_chars_advanced(at, end, value, options);
+      if (status != std::errc{} || next - at > kCellMax) {
+        return false;
+      }
+      m_values.push_back(value);
+      const bool isLast = column + 1 == m_layout.width;
+      at = next;
+      skipBlanks();
+      if (isLast || m_layout.separator == ' ') {
+        if (isLast ? at != end : at == next) {
+          return false;
+        }
+      } else if (at == end || *at++ != m_layout.separator) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void addRow(std::size_t line) {
+    std::size_t texts = 0;
+    std::size_t values = 0;
+    for (std::size_t column = 0; column < m_layout.width; ++column) {
+      const auto value = cellValue(m_cells[column], m_layout);
+      texts += static_cast<std::size_t>(!value && !m_cells[column].empty());
+      values += static_cast<std::size_t>(value.has_value());
+      m_values.push_back(value ? value->value : kNoValue);
+      if (value && m_kinds[column] == ClockKind::None) {
+        m_kinds[column] = value->kind;
+      }
+    }
+    if (values == 0 && texts > 0) {
+      m_text.add(line);  // such as a heading that comes again
+      return;
+    }
+    for (; texts > 0; --texts) {
+      m_noNumbers.add(line);
+    }
+  }
 
   TableLayout m_layout;
-  const base::Budget& m_budget;
-  TextTable m_table;
-  std::size_t m_held;
-  bool m_hasBegun = false;
+  std::vector<double> m_values;  ///< row by row
+  std::vector<ClockKind> m_kinds;
   std::vector<std::string_view> m_cells;
+  std::size_t m_lines = 0;
   OddRows m_odd;
   OddRows m_noNumbers;
   OddRows m_text;
   bool m_isCut = false;
 };
 
-base::Result<void> TableBuilder::add(const lines::LineReader::Line& line) {
-  splitCells(line.text, m_layout.separator, m_cells);
-  const std::size_t width = widthOf(m_cells);
-  if (width == 0) {
-    return {};
+/// Joins the rows in their order.
+class TableBuilder {
+ public:
+  TableBuilder(const TableLayout& layout, const base::Budget& budget, base::Executor& executor)
+      : m_layout(layout),
+        m_budget(budget),
+        m_executor(executor),
+        m_headBytes(layout.width * kColumnBytes) {
+    m_table.columns.resize(layout.width);
+    m_table.kinds.resize(layout.width);
   }
-  const bool fits = width == m_layout.width || m_cells.size() == m_layout.width;
-  m_hasBegun = m_hasBegun || (fits && isNumbers(m_cells, m_layout));
-  if (!m_hasBegun) {
-    if (m_table.head.size() < kHeadLinesMax) {
-      m_table.head.push_back({{m_cells.begin(), m_cells.end()}, line.number, false});
+  /// @param block  whole lines, those after the block before  @return error BudgetError::Exceeded
+  base::Result<void> add(std::string_view block);
+  [[nodiscard]] TextTable finish();
+
+ private:
+  /// Lines of the head. @param block  what is left behind them
+  base::Result<void> addHead(std::string_view& block);
+  void join(const std::vector<RowParser>& parts);
+
+  TableLayout m_layout;
+  const base::Budget& m_budget;
+  base::Executor& m_executor;
+  TextTable m_table;
+  std::size_t m_headBytes;
+  std::size_t m_lines = 0;  ///< before the block
+  bool m_hasBegun = false;
+  OddRows m_odd;
+  OddRows m_noNumbers;
+  OddRows m_text;
+  bool m_isCut = false;
+};
+
+base::Result<void> TableBuilder::addHead(std::string_view& block) {
+  RowReader reader(block);
+  std::vector<std::string_view> cells;
+  std::size_t lines = 0;
+  while (!m_hasBegun) {
+    block = reader.rest();
+    lines = reader.linesRead();
+    const auto line = reader.next(true);
+    if (!line) {
+      break;
+    }
+    splitCells(line->text, m_layout.separator, cells);
+    const std::size_t width = widthOf(cells);
+    const bool fits = width == m_layout.width || cells.size() == m_layout.width;
+    m_hasBegun = width > 0 && fits && isNumbers(cells, m_layout);
+    if (m_hasBegun) {
+      break;
+    }
+    if (width > 0 && m_table.head.size() < kHeadLinesMax) {
+      m_table.head.push_back({{cells.begin(), cells.end()}, m_lines + line->number, false});
       m_table.head.back().holdsValue =
-          std::any_of(m_cells.begin(), m_cells.end(),
+          std::any_of(cells.begin(), cells.end(),
                       [this](std::string_view cell) { return cellValue(cell, m_layout); });
-      m_held += m_cells.size() * sizeof(std::string) + line.text.size();
+      m_headBytes += cells.size() * sizeof(std::string) + line->text.size();
     }
-    return m_held > m_budget.left() ? base::fail(m_budget.exceeded("The head of the table"))
-                                    : base::Result<void>();
-  }
-  if (!fits) {
-    if (line.whole) {
-      m_odd.add(line.number);
+    if (m_headBytes > m_budget.left()) {
+      return base::fail(m_budget.exceeded("The head of the table"));
     }
-    m_isCut = m_isCut || !line.whole;
-    return {};
   }
-  m_held += m_layout.width * kCellBytes + kAnalysedSampleBytes;
-  if (m_held > m_budget.left()) {
-    return base::fail(m_budget.exceeded("The table with its analysis"));
-  }
-  addRow(line.number);
+  m_lines += lines;
   return {};
 }
 
-void TableBuilder::addRow(std::size_t line) {
-  std::size_t texts = 0;
-  std::size_t values = 0;
-  for (std::size_t column = 0; column < m_layout.width; ++column) {
-    const auto value = cellValue(m_cells[column], m_layout);
-    texts += static_cast<std::size_t>(!value && !m_cells[column].empty());
-    values += static_cast<std::size_t>(value.has_value());
-    m_table.columns[column].push_back(value ? value->value : kNoValue);
-    if (value && m_table.kinds[column] == ClockKind::None) {
-      m_table.kinds[column] = value->kind;
+base::Result<void> TableBuilder::add(std::string_view block) {
+  if (!m_hasBegun) {
+    if (auto done = addHead(block); !done) {
+      return done;
     }
   }
-  if (values == 0 && texts > 0) {
-    m_text.add(line);  // such as a heading that comes again
-    return;
+  const std::vector<std::string_view> texts = partsOf(block);
+  std::vector<RowParser> parts(texts.size(), RowParser(m_layout));
+  m_executor.forEach(texts.size(), [&](std::size_t part) { parts[part].parse(texts[part]); });
+  join(parts);
+  std::size_t held = m_headBytes + m_table.columns.front().size() * kAnalysedRowBytes;
+  for (const PackedValues& column : m_table.columns) {
+    held += column.memoryBytes();
   }
-  for (; texts > 0; --texts) {
-    m_noNumbers.add(line);
+  return held > m_budget.left() ? base::fail(m_budget.exceeded("The table with its analysis"))
+                                : base::Result<void>();
+}
+
+void TableBuilder::join(const std::vector<RowParser>& parts) {
+  m_executor.forEach(m_layout.width, [&](std::size_t column) {
+    for (const RowParser& part : parts) {
+      for (std::size_t row = 0; row < part.rows(); ++row) {
+        m_table.columns[column].push_back(part.value(row, column));
+      }
+      if (m_table.kinds[column] == ClockKind::None) {
+        m_table.kinds[column] = part.m_kinds[column];
+      }
+    }
+  });
+  for (const RowParser& part : parts) {
+    m_odd.add(part.m_odd, m_lines);
+    m_text.add(part.m_text, m_lines);
+    m_noNumbers.add(part.m_noNumbers, m_lines);
+    m_isCut = m_isCut || part.m_isCut;
+    m_lines += part.m_lines;
   }
 }
 
@@ -501,28 +619,42 @@ TextTable TableBuilder::finish() {
 
 }  // namespace
 
-base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget) {
-  if (auto fits = requireCells(text, budget); !fits) {
+base::Result<TextTable> readTable(TextBlocks& blocks, const TextFacts& facts,
+                                  const base::Budget& budget, base::Executor& executor) {
+  // Cells are split line by line, and the longest line may be all of the text.
+  constexpr double kBytesPerCharacter = 2 * sizeof(std::string_view);  // a list that grows
+  if (auto fits = budget.require(kBytesPerCharacter * static_cast<double>(facts.longestLine),
+                                 "A row of the table");
+      !fits) {
     return base::fail(fits.error());
   }
-  const std::vector<std::string_view> sample = firstLines(text);
-  auto layout =
-      text.find('\0') == std::string_view::npos ? recognise(sample) : std::optional<TableLayout>();
+  const std::vector<std::string_view> sample = firstLines(blocks.beginning());
+  auto layout = facts.hasNull ? std::optional<TableLayout>() : recognise(sample);
   if (!layout) {
     return base::fail(ImportError::NotATable,
                       "The file holds no rows of numbers. Export the trace as a table (CSV).");
   }
-  const auto dates = datesOf(text, sample, *layout);
-  layout->dates = dates.value_or(layout->dates);
-  TableBuilder table(*layout, budget);
-  RowReader reader(text);
-  while (const auto line = reader.next(!table.hasBegun())) {
-    if (auto done = table.add(*line); !done) {
+  const auto dates = datesOf(blocks, sample, *layout);
+  if (!dates) {
+    return base::fail(dates.error());
+  }
+  layout->dates = dates->value_or(layout->dates);
+  TableBuilder table(*layout, budget, executor);
+  blocks.rewind();
+  for (;;) {
+    const auto block = blocks.next();
+    if (!block) {
+      return base::fail(block.error());
+    }
+    if (!*block) {
+      break;
+    }
+    if (auto done = table.add(**block); !done) {
       return base::fail(done.error());
     }
   }
   TextTable read = table.finish();
-  if (!dates) {
+  if (!*dates) {
     read.remarks.push_back({RemarkCode::DayFirstAssumed});
   }
   return read;

@@ -13,6 +13,8 @@
 #include "base/budget.h"
 #include "base/result.h"
 #include "trace/import/clock_text.h"
+#include "trace/import/text_blocks.h"
+#include "trace/packed_points.h"
 #include "trace/remark.h"
 
 namespace rivulet::trace {
@@ -26,9 +28,9 @@ struct HeadRow {
 
 struct TextTable {
   std::vector<HeadRow> head;
-  std::vector<std::vector<double>> columns;  ///< of equal length; NaN: empty, or not a number
-  std::vector<ClockKind> kinds;              ///< one per column; TimeOfDay has become Timestamp
-  std::vector<Remark> remarks;               ///< what could not be read
+  std::vector<PackedValues> columns;  ///< of equal length; NaN: empty, or not a number
+  std::vector<ClockKind> kinds;       ///< one per column; TimeOfDay has become Timestamp
+  std::vector<Remark> remarks;        ///< what could not be read
 };
 
 /// UTF-8 of a text that may be UTF-16 or Latin-1, or begin with a byte order mark.
@@ -39,9 +41,13 @@ struct TextTable {
 
 /// Columns are recognised by the rows that hold numbers. A time of day counts as a number of
 /// seconds, with its own date or that of another column; "true" and "false" as 1 and 0. Rows that
-/// do not fit are left out and counted. @param budget  without the text; of the numbers and their
-/// analysis
-/// @return error ImportError::NotATable: no rows of numbers; BudgetError::Exceeded
-[[nodiscard]] base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget);
+/// do not fit are left out and counted.
+/// @param facts   of all blocks; they are UTF-8
+/// @param budget  without the text; of the numbers and their analysis
+/// @return error ImportError::NotATable: no rows of numbers; BudgetError::Exceeded; those of
+/// `TextBlocks::next`
+[[nodiscard]] base::Result<TextTable> readTable(TextBlocks& blocks, const TextFacts& facts,
+                                                const base::Budget& budget,
+                                                base::Executor& executor);
 
 }  // namespace rivulet::trace
