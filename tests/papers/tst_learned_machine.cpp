@@ -62,9 +62,9 @@ class TestLearnedMachine : public QObject {
     motion.samples.push_back(sample);
     sample.at += base::fromSeconds(0.1);
     motion.samples.push_back(sample);
-    QVERIFY(!runOfProgram(motion, "G61\nF100\n", "empty", {}));
-    QVERIFY(!runOfProgram({}, "G61\nF100\nG1 X10\n", "nothing seen", {}));
-    const auto run = runOfProgram(motion, "G61\nF100\nG1 X10\n", "a line", {});
+    QVERIFY(!training::runOfProgram(motion, "G61\nF100\n", "empty", {}));
+    QVERIFY(!training::runOfProgram({}, "G61\nF100\nG1 X10\n", "nothing seen", {}));
+    const auto run = training::runOfProgram(motion, "G61\nF100\nG1 X10\n", "a line", {});
     QVERIFY(run);
     QVERIFY(std::abs(run->axes[0].reference.back() - 10.0) < 1e-6);
   }

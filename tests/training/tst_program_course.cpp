@@ -8,7 +8,7 @@
 #include "training/program_course.h"
 #include "training/recorded_run.h"
 
-using namespace rivulet::papers;
+using namespace rivulet::training;
 using rivulet::base::Vec3;
 
 namespace {

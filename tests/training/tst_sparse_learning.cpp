@@ -13,7 +13,7 @@
 #include "training/sparse_learning.h"
 
 using namespace rivulet;
-using namespace rivulet::papers;
+using namespace rivulet::training;
 using P = emulator::AxisParameter;
 
 namespace {
