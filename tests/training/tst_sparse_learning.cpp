@@ -53,8 +53,9 @@ emulator::Emulator knownMachine() {
 trace::Motion seen(const TrapezoidRules& rules, double clockS) {
   trace::Motion nothing;
   nothing.hasActual = true;
-  nothing.samples.resize(2);
-  nothing.samples[1].at = nothing.samples[0].at + base::fromSeconds(0.1);
+  std::vector<trace::MotionSample> two(2);
+  two[1].at = two[0].at + base::fromSeconds(0.1);
+  nothing.samples = trace::MotionSamples(two);
   auto run = runOfProgram(nothing, program(), "planned", rules);
   if (!run) {
     qFatal("%s", run.error().text().c_str());
