@@ -4,7 +4,6 @@
 #include "hmi/machine_model.h"
 
 #include <chrono>
-#include <tuple>
 
 #include "opcua/control_map.h"
 #include "trust/user_certificate.h"
@@ -313,11 +312,7 @@ void MachineModel::sayLink() {
 }
 
 void MachineModel::takeSeen(const session::MachineSeen& seen) {
-  const auto said = [this] {
-    return std::tuple(m_view.channelStatus, m_view.programStatus, m_view.alarmNumber,
-                      m_view.programName, m_view.positionMm, m_view.rotaryAxes, m_view.rotaryDeg);
-  };
-  const auto saidBefore = said();
+  const widgets::MachineView before = m_view;
   const double nowS = m_clock();
   const bool wasSilent = !widgets::isFresh(m_positionRead.ageS(nowS)) || !m_stateAtS ||
                          !widgets::isFresh(nowS - *m_stateAtS);
@@ -363,8 +358,9 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
     m_view.feedMmPerS = seen.feedMmPerS;
     m_feedRead.take(nowS, false);
   }
+  const bool isNews = wasSilent || m_view != before;  // ages apart, which come now
   showAges();
-  Q_EMIT this->seen(wasSilent || said() != saidBefore);
+  Q_EMIT this->seen(isNews);
 }
 
 void MachineModel::showRunning(const QString& programName) {

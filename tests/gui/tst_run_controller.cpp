@@ -211,6 +211,42 @@ class TestRunController : public QObject {
     QVERIFY(machine.mayMove());
   }
 
+  /// What may be done is asked again when a reading says something else, whatever that is.
+  void whatAReadingSaysAnewIsNews() {
+    Models models;
+    double nowS = 100.0;
+    hmi::MachineModel machine{models.session, models.store, models.messages,
+                              [&nowS] { return nowS; }};
+    Q_EMIT models.session.linkChanged({session::LinkState::Connected, {}, true, {}});
+    bool wasNews = false;
+    connect(&machine, &hmi::MachineModel::seen, this, [&](bool isNews) { wasNews = isNews; });
+    const auto isNews = [&](const session::MachineSeen& seen) {
+      nowS += 0.25;
+      Q_EMIT models.session.machineSeen(seen);
+      return wasNews;
+    };
+    session::MachineSeen seen;
+    seen.channelStatus = seen.programStatus = seen.alarm = 0;
+    seen.positionMm = base::Vec3{1.0, 2.0, 3.0};
+    QVERIFY(isNews(seen));
+    QVERIFY(!isNews(seen));
+    seen.equipment = streaming::EquipmentSeen{};
+    seen.equipment->tool = 1;
+    QVERIFY(isNews(seen));
+    QVERIFY(!isNews(seen));
+    seen.equipment->tool = 2;  // changed by hand, at the control
+    QVERIFY(isNews(seen));
+    seen.equipment.reset();  // not read this time
+    QVERIFY(!isNews(seen));
+    seen.message = "SPINDLE";
+    QVERIFY(isNews(seen));
+    seen.alarm = 3000;
+    QVERIFY(isNews(seen));
+    QVERIFY(!isNews(seen));
+    nowS += 2.0;  // nothing was read meanwhile
+    QVERIFY(isNews(seen));
+  }
+
   /// What cannot be read is not zero: the axes stay where they were seen, and get old.
   void whatCannotBeReadIsNotZero() {
     Models models;

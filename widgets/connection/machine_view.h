@@ -83,6 +83,8 @@ struct MachineView {
     base::RotaryDeg deg{};
     /// From the path of the run and the position; else read from the control.
     bool isComputed = false;
+
+    friend bool operator==(const ToGo&, const ToGo&) = default;
   };
   std::optional<ToGo> toGo;  ///< nothing: not known
 
@@ -124,6 +126,8 @@ struct MachineView {
     std::size_t number = 0;  ///< 1: the first of the program
     base::Vec3 positionMm;
     double ageS = 0.0;  ///< since the stream last reported
+
+    friend bool operator==(const Executed&, const Executed&) = default;
   };
   std::optional<Executed> executed;
 
@@ -131,6 +135,8 @@ struct MachineView {
   [[nodiscard]] bool standsIn() const {
     return executed && isFresh(executed->ageS) && positionFreshness() == Freshness::Old;
   }
+
+  friend bool operator==(const MachineView&, const MachineView&) = default;
 
  private:
   [[nodiscard]] Freshness freshness(std::optional<double> ageS, bool isRare) const {
