@@ -15,8 +15,7 @@ namespace {
 constexpr int kTurnMs = 33;
 /// Of a turn, for the net: the window needs the rest.
 constexpr qint64 kWorkMs = 12;
-constexpr double kUsPerS = 1e6;
-constexpr auto kEnd = static_cast<petri::Word>(pipeline::kFigure13S * kUsPerS);
+constexpr auto kEnd = static_cast<petri::Word>(pipeline::kFigure13S * pipeline::kNetUnitsPerS);
 
 }  // namespace
 
@@ -123,7 +122,7 @@ void NetPlayer::publish() {
     m_state.enabled[i] = m_simulator->isEnabled(i, m_state.now);
   }
   for (auto& levels : m_state.levels) {
-    levels.back().setX(static_cast<double>(m_state.now) / kUsPerS);
+    levels.back().setX(static_cast<double>(m_state.now) / pipeline::kNetUnitsPerS);
   }
   if (!m_state.next) {
     m_timer.stop();

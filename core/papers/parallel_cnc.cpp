@@ -15,7 +15,6 @@ namespace rivulet::papers {
 namespace {
 
 constexpr double kSeconds = pipeline::kFigure13S;
-constexpr double kPerSecond = 1e6;  // the net counts microseconds
 
 std::string nameOf(const pipeline::Figure13Reading& reading) {
   return fmt::format("{}; {}, {}; {}", reading.asPrinted ? "printed" : "ordered",
@@ -309,7 +308,7 @@ base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameter
       run.releasesAtEnd += endedAt == time ? 1.0 : 0.0;
     }
   });
-  simulator.run(static_cast<petri::Word>(seconds * kPerSecond));
+  simulator.run(static_cast<petri::Word>(seconds * pipeline::kNetUnitsPerS));
   for (std::size_t buffer = 0; buffer < pipeline::kBufferCount; ++buffer) {
     auto& levels = run.levels[buffer];
     levels.push_back({buffer, seconds, levels.back().level});
@@ -329,8 +328,8 @@ base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameter
     run.preemptions += static_cast<double>(record[net->offsetOf(trec, "ppt")]);
     if (name == "Top.CNC.Position.record") {
       run.setPoints = static_cast<double>(record[net->offsetOf(trec, "cnt")]);
-      run.waitingShare =
-          static_cast<double>(record[net->offsetOf(trec, "ttwd")]) / kPerSecond / seconds;
+      run.waitingShare = static_cast<double>(record[net->offsetOf(trec, "ttwd")]) /
+                         pipeline::kNetUnitsPerS / seconds;
     }
   }
   return run;

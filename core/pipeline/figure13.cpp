@@ -7,7 +7,6 @@ namespace rivulet::pipeline {
 
 namespace {
 
-constexpr double kPerSecond = 1e6;  // the net counts microseconds
 constexpr petri::Word kUsPerMs = 1000;
 /// Values of the parameter `policy` of the net.
 constexpr petri::Word kOrdered = 0;
@@ -61,7 +60,7 @@ std::optional<BufferLevel> LevelReader::read(const petri::Recorded& recorded) co
   }
   const petri::Words& value = *recorded.value;
   return BufferLevel{static_cast<std::size_t>(value[m_number] - 1),
-                     static_cast<double>(value[m_time]) / kPerSecond,
+                     static_cast<double>(value[m_time]) / kNetUnitsPerS,
                      static_cast<double>(value[m_data])};
 }
 

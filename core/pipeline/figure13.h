@@ -17,6 +17,8 @@
 namespace rivulet::pipeline {
 
 inline constexpr double kFigure13S = 3.0;  ///< simulated time
+/// The net counts microseconds.
+inline constexpr double kNetUnitsPerS = 1e6;
 
 /// Parameters of the net for Figure 13. @param policy  0: task dependency; 1: data flow
 [[nodiscard]] petri::ParameterValues figure13Parameters(petri::Word cycleMs, petri::Word policy);
