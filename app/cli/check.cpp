@@ -124,9 +124,9 @@ gcode::LoadOptions optionsOf(const std::string& file, const LoadingOptions& load
   return options;
 }
 
-/// The same text again, now block by block. The parts are told as they are
-/// found: a program has as many of them as lines. They are kept only of a program of usual size
-/// that is understood, to see whether its job refuses it for their order.
+/// The same text again, now block by block; after that the program has none. The parts are told as
+/// they are found: a program has as many of them as lines. They are kept only of a program of usual
+/// size that is understood, to see whether its job refuses it for their order.
 base::Result<job::Plan> planOf(const std::string& file, gcode::Program& program,
                                const LoadingOptions& loading,
                                const std::function<void(const job::Part&)>& each) {

@@ -13,7 +13,8 @@ namespace rivulet::session {
 
 namespace {
 
-/// How often the window asks the streaming thread for events; nothing streams: it hurries nowhere.
+/// How often the window takes events from the streaming thread: while that is busy, and while it
+/// only watches the machine.
 constexpr int kDrainMs = 33;
 constexpr int kIdleDrainMs = 100;
 
