@@ -65,6 +65,7 @@ double MachineModel::steadySeconds() {
 }
 
 void MachineModel::showAges() {
+  m_ageTimer.start();  // it shows them where nothing is read that would
   const double nowS = m_clock();
   m_view.positionAgeS = m_positionRead.ageS(nowS);
   m_view.isPositionRare = m_positionRead.isRare(nowS);

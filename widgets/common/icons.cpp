@@ -3,16 +3,23 @@
 
 #include "widgets/common/icons.h"
 
+#include <QAbstractButton>
 #include <QFile>
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmapCache>
 #include <QSvgRenderer>
+#include <QVariant>
 
 #include "base/contract.h"
 
 namespace rivulet::widgets {
+namespace {
+
+constexpr auto kIconProperty = "themedIcon";  // what the icon of a button was made of
+
+}  // namespace
 
 QPixmap iconPixmap(const QString& name, const QColor& color, int sizePx, qreal devicePixelRatio) {
   // Drawing takes about a millisecond, and the strip asks for its icons at each update of a run.
@@ -49,6 +56,14 @@ QIcon themedIcon(const QString& name, const QColor& color) {
     icon.addPixmap(iconPixmap(name, selected, size), QIcon::Selected);
   }
   return icon;
+}
+
+void setThemedIcon(QAbstractButton& button, const QString& name, const QColor& color) {
+  const QString wanted = name + color.name(QColor::HexArgb);
+  if (button.property(kIconProperty) != wanted) {
+    button.setProperty(kIconProperty, wanted);
+    button.setIcon(themedIcon(name, color));
+  }
 }
 
 }  // namespace rivulet::widgets

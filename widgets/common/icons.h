@@ -12,6 +12,8 @@
 #include <QPixmap>
 #include <QString>
 
+class QAbstractButton;
+
 namespace rivulet::widgets {
 
 /// @param name file name without folder and suffix, e.g. "play"
@@ -21,5 +23,8 @@ namespace rivulet::widgets {
 /// As `iconPixmap`, in 16 to 64 px; greyed out for disabled buttons by the style. In a selected row it
 /// has the colour of the text there.
 [[nodiscard]] QIcon themedIcon(const QString& name, const QColor& color);
+
+/// Gives the button that icon, unless it has it: it would be laid out and painted anew.
+void setThemedIcon(QAbstractButton& button, const QString& name, const QColor& color);
 
 }  // namespace rivulet::widgets

@@ -336,8 +336,8 @@ void ServicePanel::showButtons() {
   const bool canHold = isHolding || m_view.isIn(streaming::RunState::Running);
   m_stop->setEnabled(m_view.link == ServiceLink::Silent || (m_view.isKnown() && m_view.isRunning));
   m_hold->setText(isStopped ? tr("End here") : isHolding ? tr("Continue") : tr("Pause"));
-  m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
-                             themeColors(palette()).text));
+  setThemedIcon(*m_hold, isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
+                themeColors(palette()).text);
   m_hold->setEnabled(isFree && canHold);
   m_resume->setVisible(m_view.isKnown() && !m_view.leftRun.isEmpty() && !m_view.isRunning &&
                        m_offered.offer != Offer::Resume);

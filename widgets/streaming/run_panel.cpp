@@ -314,8 +314,10 @@ void RunPanel::setJob(const std::optional<JobProgress>& job) {
 }
 
 void RunPanel::setMayMove(bool mayMove) {
-  m_mayMove = mayMove;
-  showButtons();
+  if (mayMove != m_mayMove) {
+    m_mayMove = mayMove;
+    showButtons();
+  }
 }
 
 void RunPanel::setTitle(const QString& title) {
@@ -560,8 +562,8 @@ void RunPanel::showButtons() {
   const bool canGoOn = m_update.state == RunState::Holding;
   const bool isHolding = canGoOn && !isHeldBySource();
   m_hold->setText(isHolding ? tr("Continue") : tr("Pause"));
-  m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
-                             themeColors(palette()).text));
+  setThemedIcon(*m_hold, isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
+                themeColors(palette()).text);
   m_hold->setEnabled(m_canHold && !isLifted() && (canGoOn || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold ? hasFeedCell()
                                      ? tr("The axes stand at once, until you press Continue.")
