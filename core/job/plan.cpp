@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/budget.h"
 #include "nc/fault.h"
 
 namespace rivulet::job {
@@ -47,6 +48,46 @@ const RefusalText& textOf(RefusalCode code) {
 }
 
 }  // namespace
+
+nc::Place BlockPlaces::Run::at(std::uint32_t index) const {
+  nc::Place place = first;
+  place.line.value += index;
+  return place;
+}
+
+void BlockPlaces::add(const nc::Place& place) {
+  if (!m_runs.empty()) {
+    Run& run = m_runs.back();
+    const nc::Place next = run.at(run.count);
+    if (place.line == next.line && place.file == next.file && place.column == next.column) {
+      ++run.count;
+      return;
+    }
+  }
+  m_runs.push_back({place});
+}
+
+std::vector<nc::Place> BlockPlaces::all() const {
+  std::vector<nc::Place> places;
+  for (const Run& run : m_runs) {
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      places.push_back(run.at(i));
+    }
+  }
+  return places;
+}
+
+std::size_t BlockPlaces::size() const {
+  std::size_t count = 0;
+  for (const Run& run : m_runs) {
+    count += run.count;
+  }
+  return count;
+}
+
+std::size_t BlockPlaces::bytes() const {
+  return base::Budget::bytesOf(m_runs);
+}
 
 std::string_view refusalName(RefusalCode code) {
   return textOf(code).name;

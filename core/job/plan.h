@@ -9,6 +9,7 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -26,12 +27,34 @@
 
 namespace rivulet::job {
 
+/// Places of blocks in the order they are executed in. A program of millions of lines has few runs
+/// of lines that follow one another.
+class BlockPlaces {
+ public:
+  void add(const nc::Place& place);
+  /// Of all of them. @pre not empty
+  [[nodiscard]] const nc::Place& front() const { return m_runs.front().first; }
+  [[nodiscard]] nc::Place back() const { return m_runs.back().at(m_runs.back().count - 1); }
+  [[nodiscard]] std::vector<nc::Place> all() const;
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] std::size_t bytes() const;  ///< held beside itself
+
+ private:
+  /// Lines of a file, one after another, whose blocks begin in the same column.
+  struct Run {
+    nc::Place first;
+    std::uint32_t count = 1;
+    [[nodiscard]] nc::Place at(std::uint32_t index) const;
+  };
+  std::vector<Run> m_runs;
+};
+
 /// Blocks that Rivulet reads: what they move is sent as points.
 struct Stretch {
   int number = 0;              ///< from 1 in the order of the program; 0: its blocks move nothing
   std::size_t firstPoint = 0;  ///< of `Plan::program`'s trajectory
   std::size_t pointCount = 0;
-  std::vector<nc::Place> blocks;
+  BlockPlaces blocks;
   /// Where the program has the tool before it, workpiece frame, mm; NaN: only the control knows.
   base::Vec3 startMm;
 

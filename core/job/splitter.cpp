@@ -211,7 +211,7 @@ class Splitter final : public gcode::BlockObserver,
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
   [[nodiscard]] std::size_t memoryBytes() const override {
-    return base::Budget::bytesOf(m_parts) + m_textBytes;
+    return base::Budget::bytesOf(m_parts) + m_textBytes + (m_open ? m_open->blocks.bytes() : 0);
   }
   [[nodiscard]] bool knowsFrame() const override { return m_knowsFrame; }
 
@@ -304,8 +304,7 @@ class Splitter final : public gcode::BlockObserver,
     const std::optional<NativeReason> reason = nativeReason();
     if (!reason) {
       forward();
-      stretch().blocks.push_back(block.place);
-      m_textBytes += 2 * sizeof(block.place);  // of a list that grows
+      stretch().blocks.add(block.place);
     } else if (isForeign()) {
       endForeign(*reason);
     } else {
@@ -1310,10 +1309,6 @@ class Splitter final : public gcode::BlockObserver,
       return;
     }
     Stretch closed = *std::exchange(m_open, std::nullopt);
-    constexpr std::size_t kSpareMax = 1000;
-    if (closed.blocks.capacity() > closed.blocks.size() + kSpareMax) {
-      closed.blocks.shrink_to_fit();
-    }
     closed.pointCount = points - closed.firstPoint;
     closed.number = closed.pointCount > 0 ? ++m_stretches : 0;
     keep(std::move(closed));
@@ -1353,7 +1348,7 @@ class Splitter final : public gcode::BlockObserver,
   [[nodiscard]] static std::size_t textBytes(const Part& part) {
     const auto* const native = std::get_if<NativeBlock>(&part);
     if (native == nullptr) {
-      return 0;  // counted block by block
+      return std::get<Stretch>(part).blocks.bytes();
     }
     std::size_t bytes = native->source.capacity() + native->text.capacity();
     for (const std::string& line : native->frame) {
@@ -1467,7 +1462,7 @@ class Splitter final : public gcode::BlockObserver,
       closeStretch(block.firstPoint);
       pushNative(reason, lines(translation.before), block.before);
     }
-    stretch().blocks.push_back(block.place);
+    stretch().blocks.add(block.place);
     if (!translation.after.empty()) {
       closeStretch(m_points);
       pushNative(reason, lines(translation.after), m_executor->state());

@@ -218,7 +218,7 @@ class TestJobCorpus : public QObject {
         wasHalf = native->isHalf;
         continue;
       }
-      for (const nc::Place& place : std::get<job::Stretch>(part).blocks) {
+      for (const nc::Place& place : std::get<job::Stretch>(part).blocks.all()) {
         add(place, wasHalf);
         wasHalf = false;
       }
