@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -111,33 +112,37 @@ namespace {
 PausePlacement placed(std::span<const gcode::StreamPoint> points, const WindowSize& size,
                       bool feedPerPoint) {
   const std::vector<bool> harmless = harmlessPauses(points);
-  struct Best {
-    std::size_t inCut = 0;
-    std::size_t windows = 0;
-    std::size_t begin = 0;  ///< of the last window
+  RIVULET_ASSERT(points.size() < std::numeric_limits<std::uint32_t>::max());
+  // The best way to cut the points before `at`, after the last of them.
+  struct Cut {
+    std::uint32_t at = 0;
+    std::uint32_t inCut = 0;
+    std::uint32_t windows = 0;
+    [[nodiscard]] auto cost() const { return std::pair(inCut, windows); }
   };
-  // best[n]: of the first n points, cut after the last of them.
-  std::vector<Best> best(points.size() + 1);
-  const auto cost = [&best](std::size_t n) { return std::pair(best[n].inCut, best[n].windows); };
+  Cut cut;
+  std::vector<std::uint32_t> begins(points.size() + 1);  // of the last window of that way
   // Candidates for the beginning of the next window: the cheapest comes first, then only more
   // expensive ones, for the time when the first is too far back.
-  std::deque<std::size_t> begins{0};
+  std::deque<Cut> candidates{cut};
   for (std::size_t end = 1; end <= points.size(); ++end) {
-    while (!size.fits(begins.front(), end)) {
-      begins.pop_front();
+    while (!size.fits(candidates.front().at, end)) {
+      candidates.pop_front();
     }
-    const std::size_t begin = begins.front();
-    best[end] = {best[begin].inCut + (harmless[end - 1] ? 0U : 1U), best[begin].windows + 1, begin};
+    const Cut& from = candidates.front();
+    cut = {static_cast<std::uint32_t>(end), from.inCut + (harmless[end - 1] ? 0U : 1U),
+           from.windows + 1};
+    begins[end] = from.at;
     const bool mustEnd = !feedPerPoint && end < points.size() && changesFeed(points, end);
-    while (!begins.empty() && (mustEnd || cost(begins.back()) > cost(end))) {
-      begins.pop_back();
+    while (!candidates.empty() && (mustEnd || candidates.back().cost() > cut.cost())) {
+      candidates.pop_back();
     }
-    begins.push_back(end);
+    candidates.push_back(cut);
   }
   PausePlacement placement;
-  placement.inCut = best.back().inCut;
-  for (std::size_t end = points.size(); end > 0; end = best[end].begin) {
-    placement.begins.push_back(best[end].begin);
+  placement.inCut = cut.inCut;
+  for (std::size_t end = points.size(); end > 0; end = begins[end]) {
+    placement.begins.push_back(begins[end]);
   }
   std::reverse(placement.begins.begin(), placement.begins.end());
   return placement;
