@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "base/units.h"
 #include "feasibility/client_turn.h"
+#include "forecast/region.h"
 #include "job/main_program.h"
 #include "preparation/judged.h"
 #include "report/calibration_json.h"
@@ -590,12 +591,19 @@ void Document::rehearse() {
   m_rehearsed.key = key;
   m_rehearsed.outcome.reset();
   session::RehearsalJob job;
-  job.points = points();
+  const base::MethodKind method = m_settings.parameters.method;
+  const std::size_t tightest =
+      feasibility::tightestPlace(*m_findings.distances, method).point.value;
+  job.programPoints = points().size();
+  std::size_t first = 0;
+  // Of a large program, only what is looked at is copied.
+  job.points = forecast::stretchOf(
+      points(), tightest,
+      base::isPublished(method) ? job.programPoints : session::kRehearsedPointsMax, &first);
   for (std::size_t i = 0; i < job.points.size(); ++i) {
-    job.points[i].feedMmPerS = m_settings.usesProgramFeeds() ? commandedMmPerS(i) : 0.0;
+    job.points[i].feedMmPerS = m_settings.usesProgramFeeds() ? commandedMmPerS(first + i) : 0.0;
   }
-  job.tightest =
-      feasibility::tightestPlace(*m_findings.distances, m_settings.parameters.method).point.value;
+  job.tightest = tightest - first;
   job.settings = runSettings();
   job.machine = m_machine;
   job.access = m_findings.access.measured;

@@ -57,7 +57,7 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
   request.abscissas = {static_cast<double>(job.settings.parameters.pointsPerLoop)};
   request.seedsPerPoint = kRuns;
   outcome.points = request.points.size();
-  outcome.isWhole = outcome.points == job.points.size();
+  outcome.isWhole = outcome.points == std::max(job.points.size(), job.programPoints);
   const auto at = [&](double feedMmPerS) {
     SameThread executor;
     request.feedsMmPerS = {feedMmPerS};

@@ -171,14 +171,16 @@ RunFate fateOf(streaming::Scenario scenario, base::Error* error) {
 }
 
 std::vector<gcode::StreamPoint> stretchOf(const std::vector<gcode::StreamPoint>& points,
-                                          std::size_t around, std::size_t count) {
+                                          std::size_t around, std::size_t count,
+                                          std::size_t* first) {
   RIVULET_ASSERT(around < points.size() || points.empty());
-  if (points.size() <= count) {
-    return points;
+  const std::size_t length = std::min(count, points.size());
+  const std::size_t from = std::min(around - std::min(around, count / 2), points.size() - length);
+  if (first != nullptr) {
+    *first = from;
   }
-  const std::size_t first = std::min(around - std::min(around, count / 2), points.size() - count);
-  const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+  const auto begin = points.begin() + static_cast<std::ptrdiff_t>(from);
+  return {begin, begin + static_cast<std::ptrdiff_t>(length)};
 }
 
 base::Vec3 regionStartMm(const std::vector<gcode::StreamPoint>& points, double deltaMm) {

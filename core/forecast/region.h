@@ -41,8 +41,10 @@ enum class RunFate {
 
 /// The points of a run: at most `count`, those around the point `around`. A section stands for a
 /// long program.
+/// @param first  takes the index of its first point; null: not wanted
 [[nodiscard]] std::vector<gcode::StreamPoint> stretchOf(
-    const std::vector<gcode::StreamPoint>& points, std::size_t around, std::size_t count);
+    const std::vector<gcode::StreamPoint>& points, std::size_t around, std::size_t count,
+    std::size_t* first = nullptr);
 
 /// The tool's position before a run of a region: a short distance above the first point. A section
 /// begins somewhere in the program, and the move to it is not of interest. But if the tool were
