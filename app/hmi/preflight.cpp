@@ -50,9 +50,9 @@ QString positionText(const base::Vec3& positionMm) {
 /// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
 std::optional<std::pair<double, double>> programFeeds(const overview::ProgramView& view) {
   std::optional<std::pair<double, double>> range;
-  for (std::size_t i = 0; i < view.feedsMmPerS.size(); ++i) {
-    const double feed = view.feedsMmPerS[i];
-    if (feed > 0.0 && view.kinds[i] != gcode::MoveKind::Rapid) {
+  for (std::size_t i = 0; i < view.points.points.size(); ++i) {
+    const double feed = view.programmedMmPerS(i);
+    if (feed > 0.0 && view.points.points[i].kind != gcode::MoveKind::Rapid) {
       range = range ? std::pair(std::min(range->first, feed), std::max(range->second, feed))
                     : std::pair(feed, feed);
     }

@@ -21,13 +21,14 @@ constexpr std::size_t kFollowedFirst = 2'000;
 constexpr std::size_t kFollowed = 50'000;
 
 /// Of the points that are streamed. @param atS  one per point of the trajectory
-std::vector<float> ofStreamed(const overview::ProgramView& view, const std::vector<float>& atS) {
-  std::vector<float> streamed;
-  streamed.reserve(view.trajectoryIndices.size());
-  for (const std::uint32_t index : view.trajectoryIndices) {
-    streamed.push_back(atS[index]);
+std::vector<float> ofStreamed(const overview::ProgramView& view, std::vector<float> atS) {
+  // In place, for millions of points: none of them moves back.
+  const std::vector<std::uint32_t>& indices = view.trajectoryIndices;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    atS[i] = atS[indices[i]];
   }
-  return streamed;
+  atS.resize(indices.size());
+  return atS;
 }
 
 /// Computes the times that do not depend on the settings. @return false: cancelled
@@ -37,13 +38,13 @@ bool reckonProgrammed(const overview::ProgramView& view, const machine::MachineC
   forecast::PathTimeOptions options;
   options.followedMax = followedMax;
   options.progress = progress;
-  const auto time = forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
+  auto time = forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
   if (!time) {
     return false;
   }
   times.programmedS = time->totalS;
   times.machine = machine.name;
-  times.atS = ofStreamed(view, time->atS);
+  times.atS = ofStreamed(view, std::move(time->atS));
   return true;
 }
 
@@ -78,12 +79,12 @@ std::optional<overview::RunTime> reckonRun(
     }
     withoutPausesS = time->totalS;
   }
-  const auto time = reckonStreamed(view, machine, settings, pauses, followedMax, progress);
+  auto time = reckonStreamed(view, machine, settings, pauses, followedMax, progress);
   if (!time) {
     return std::nullopt;
   }
-  return overview::RunTime{ofStreamed(view, time->atS), time->totalS, time->standingS, time->pauses,
-                           *withoutPausesS};
+  return overview::RunTime{ofStreamed(view, std::move(time->atS)), time->totalS, time->standingS,
+                           time->pauses, *withoutPausesS};
 }
 
 std::shared_ptr<const overview::PauseMap> planPauses(const overview::ProgramView& view,
@@ -156,6 +157,7 @@ void ProgramTimer::start(std::shared_ptr<const overview::ProgramView> view,
       });
     };
     const auto run = [&](std::size_t followedMax, std::optional<double> without) {
+      times->run.reset();
       times->run = reckonRun(*view, machine, settings, *pauses, followedMax, without, progress);
       return times->run.has_value();
     };
@@ -168,6 +170,7 @@ void ProgramTimer::start(std::shared_ptr<const overview::ProgramView> view,
       estimate(false);
     }
     if (!known) {
+      times->atS = std::vector<float>();  // of millions of points, only one list at a time
       if (!reckonProgrammed(*view, machine, kFollowed, progress, *times)) {
         return;
       }

@@ -62,10 +62,11 @@ PathClasses classesByKind(const ProgramView& view) {
   PathClasses classes;
   classes.colouring = PathColouring::Kind;
   classes.count = 4;
-  classes.ofPoint.reserve(view.kinds.size());
-  for (const gcode::MoveKind kind : view.kinds) {
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
+  classes.ofPoint.reserve(points.size());
+  for (const gcode::StreamPoint& point : points) {
     KindClass shown = KindClass::Line;
-    switch (kind) {
+    switch (point.kind) {
       case gcode::MoveKind::Rapid:
         shown = KindClass::Rapid;
         break;
@@ -87,10 +88,11 @@ PathClasses classesByKind(const ProgramView& view) {
 PathClasses classesByFeed(const ProgramView& view) {
   PathClasses classes;
   classes.colouring = PathColouring::Feed;
+  const std::vector<gcode::StreamPoint>& points = view.points.points;
   std::vector<float> feeds;
-  for (std::size_t i = 0; i < view.kinds.size(); ++i) {
-    const float feed = view.feedsMmPerS[i];
-    if (view.kinds[i] != gcode::MoveKind::Rapid && (feeds.empty() || feeds.back() != feed)) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float feed = view.programmedMmPerS(i);
+    if (points[i].kind != gcode::MoveKind::Rapid && (feeds.empty() || feeds.back() != feed)) {
       feeds.push_back(feed);
     }
   }
@@ -110,12 +112,12 @@ PathClasses classesByFeed(const ProgramView& view) {
     }
     classes.count = kFeedClassesMax + 1;
   }
-  classes.ofPoint.reserve(view.kinds.size());
-  for (std::size_t i = 0; i < view.kinds.size(); ++i) {
+  classes.ofPoint.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
     std::size_t shown = 0;
-    if (view.kinds[i] != gcode::MoveKind::Rapid) {
+    if (points[i].kind != gcode::MoveKind::Rapid) {
       const auto above = std::upper_bound(classes.borders.begin(), classes.borders.end(),
-                                          static_cast<double>(view.feedsMmPerS[i]));
+                                          static_cast<double>(view.programmedMmPerS(i)));
       shown = std::clamp<std::size_t>(static_cast<std::size_t>(above - classes.borders.begin()), 1,
                                       classes.count - 1);
     }

@@ -21,19 +21,6 @@ namespace {
 
 constexpr std::size_t kSmallestShown = 200;
 
-void takeMoves(ProgramView& view, const gcode::Trajectory& path) {
-  const auto isOpen = [](const gcode::TrajectoryPoint& point) {
-    return !base::isFinite(point.positionMm);
-  };
-  view.dependsOnStart = std::any_of(path.points.begin(), path.points.end(), isOpen);
-  view.kinds.reserve(view.trajectoryIndices.size());
-  view.feedsMmPerS.reserve(view.trajectoryIndices.size());
-  for (const std::uint32_t index : view.trajectoryIndices) {
-    view.kinds.push_back(path.points[index].kind);
-    view.feedsMmPerS.push_back(static_cast<float>(path.points[index].feedMmPerS));
-  }
-}
-
 /// The smallest ones of any number of values.
 class Smallest {
  public:
@@ -73,7 +60,7 @@ void takeDistances(ProgramView& view) {
       const double feedMmPerS = points[i].feedMmPerS;
       timed.take(feedMmPerS > 0.0 ? distance * view.fastestMmPerS / feedMmPerS : distance);
     }
-    switch (view.kinds[i]) {
+    switch (points[i].kind) {
       case gcode::MoveKind::Rapid:
         view.lengths.rapidMm += distance;
         break;
@@ -284,7 +271,9 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   }
   view->lineWithoutFeed = gcode::lineWithoutFeed(view->program->trajectory);
   view->turnedAxes = gcode::turnedAxes(view->program->trajectory);
-  takeMoves(*view, path);
+  view->dependsOnStart = std::any_of(
+      path.points.begin(), path.points.end(),
+      [](const gcode::TrajectoryPoint& point) { return !base::isFinite(point.positionMm); });
   if (!goesOn(0.1)) {
     return nullptr;
   }
@@ -309,9 +298,10 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   if (!goesOn(0.5)) {
     return nullptr;
   }
-  std::vector<bool> isRapid(view->kinds.size());
-  std::transform(view->kinds.begin(), view->kinds.end(), isRapid.begin(),
-                 [](gcode::MoveKind kind) { return kind == gcode::MoveKind::Rapid; });
+  std::vector<bool> isRapid(view->points.points.size());
+  std::transform(
+      view->points.points.begin(), view->points.points.end(), isRapid.begin(),
+      [](const gcode::StreamPoint& point) { return point.kind == gcode::MoveKind::Rapid; });
   bool goOn = true;
   view->levels = PathLevels(view->points.points, isRapid, [&] { return goOn = goesOn(0.6); });
   return goOn && goesOn(1.0) ? view : nullptr;

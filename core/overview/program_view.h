@@ -54,9 +54,10 @@ struct ProgramView {
   double fastestMmPerS = 0.0;                       ///< largest of those feeds
   std::optional<base::LineNumber> lineWithoutFeed;  ///< see `gcode::lineWithoutFeed`
   base::RotarySet turnedAxes{};  ///< rotary axes that the program moves on its path
-  /// One per streamed point: the move that ends there.
-  std::vector<gcode::MoveKind> kinds;
-  std::vector<float> feedsMmPerS;
+  /// Feed as programmed, of the move that ends at a streamed point.
+  [[nodiscard]] float programmedMmPerS(std::size_t point) const {
+    return static_cast<float>(program->trajectory.points[trajectoryIndices[point]].feedMmPerS);
+  }
   std::vector<std::uint32_t> trajectoryIndices;  ///< of the streamed points in the trajectory
   PathLevels levels;
 

@@ -136,7 +136,7 @@ void PathCanvas::setStyle(Style style) {
   }
   // A move that represents several shows the class of the last, or the highest of all.
   const bool highest = m_style.classes.highestWins;
-  m_levelClasses.push_back(m_style.classes.ofPoint);
+  m_levelClasses.push_back(std::move(m_style.classes.ofPoint));
   for (std::size_t level = 1; level < levels().size(); ++level) {
     const std::vector<std::uint32_t>& fine = levels()[level - 1].kept;
     const std::vector<std::uint8_t>& fineClasses = m_levelClasses.back();
@@ -703,7 +703,7 @@ void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bo
   };
   const auto classAt = [&](std::size_t i) -> std::size_t {
     if (isExecuted) {
-      return isGap(i) ? 2 : m_program->kinds[kept[i]] == gcode::MoveKind::Rapid ? 0 : 1;
+      return isGap(i) ? 2 : points[kept[i]].kind == gcode::MoveKind::Rapid ? 0 : 1;
     }
     return m_levelClasses[level][i];
   };

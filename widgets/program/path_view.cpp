@@ -12,6 +12,7 @@
 #include <QStandardItemModel>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/common/number_format.h"
 #include "widgets/common/ramp.h"
@@ -244,8 +245,9 @@ void PathView::recolour() {
   for (const std::uint8_t one : classes.ofPoint) {
     m_present[one] = true;
   }
+  std::vector<std::uint8_t> ofPoint = std::exchange(classes.ofPoint, {});
   m_classes = classes;
-  m_classes.ofPoint.clear();
+  classes.ofPoint = std::move(ofPoint);
   m_canvas->setStyle({std::move(classes), pens()});
   showLegend();
 }

@@ -360,12 +360,13 @@ class TestPathView : public QObject {
     const overview::PathClasses feeds = overview::classesByFeed(*view);
     QVERIFY(feeds.eachFeedItsOwn);
     QCOMPARE(feeds.borders.size(), std::size_t{3});  // F250 F500 F800
-    for (std::size_t i = 0; i < view->kinds.size(); ++i) {
-      const bool isRapid = view->kinds[i] == gcode::MoveKind::Rapid;
+    for (std::size_t i = 0; i < view->points.points.size(); ++i) {
+      const bool isRapid = view->points.points[i].kind == gcode::MoveKind::Rapid;
       QCOMPARE(kinds.ofPoint[i] == 0, isRapid);
       QCOMPARE(feeds.ofPoint[i] == 0, isRapid);
       if (!isRapid) {
-        QCOMPARE(static_cast<float>(feeds.borders[feeds.ofPoint[i] - 1U]), view->feedsMmPerS[i]);
+        QCOMPARE(static_cast<float>(feeds.borders[feeds.ofPoint[i] - 1U]),
+                 view->programmedMmPerS(i));
       }
     }
     // The smallest margin of the moves is the margin of the verdict.

@@ -185,10 +185,10 @@ class TestProgramView : public QObject {
     const auto view = overview::makeProgramView(program, {1.0, 2.0, 3.0}, 7);
     QVERIFY(view->program == program);
     QCOMPARE(view->points.points.size(), test::streamed(*program).size());
-    QCOMPARE(view->kinds.size(), view->points.points.size());
-    for (std::size_t i = 0; i < view->kinds.size(); ++i) {
+    for (std::size_t i = 0; i < view->points.points.size(); ++i) {
       const gcode::TrajectoryPoint& source = program->trajectory.points[view->trajectoryIndices[i]];
-      QCOMPARE(view->kinds[i], source.kind);
+      QCOMPARE(view->points.points[i].kind, source.kind);
+      QCOMPARE(view->programmedMmPerS(i), static_cast<float>(source.feedMmPerS));
       QCOMPARE(view->points.points[i].line.value, source.line.value);
     }
     QVERIFY(view->statistics.has_value());
