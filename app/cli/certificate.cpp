@@ -96,8 +96,8 @@ Exit certificate(const CertificateOptions& options) {
           options.json);
     }
   }
-  const auto own = options.renew ? trust::renewCertificate(folder, trust::Owner::Client)
-                                 : trust::ownCertificate(folder, trust::Owner::Client);
+  const auto own = options.renew ? trust::renewCertificate(folder, trust::kClient)
+                                 : trust::ownCertificate(folder, trust::kClient);
   if (!own) {
     return reportError(own.error(), options.json);
   }
@@ -115,7 +115,7 @@ Exit certificate(const CertificateOptions& options) {
                                   : lists.error(),
                        options.json);
   }
-  const std::string file = trust::certificatePath(folder, trust::Owner::Client).string();
+  const std::string file = trust::certificatePath(folder, trust::kClient).string();
   if (options.json) {
     printJson(asJson(*facts, file, *servers, *lists));
   } else {

@@ -23,7 +23,7 @@ Certificates::Certificates(Messages& messages, std::filesystem::path folder)
 }
 
 void Certificates::refresh() {
-  const std::filesystem::path path = trust::certificatePath(m_folder, trust::Owner::Client);
+  const std::filesystem::path path = trust::certificatePath(m_folder, trust::kClient);
   const auto der = base::readFile(path, trust::kCertificateBytesMax);
   const auto own = der ? opcua::readCertificate(*der) : base::fail(der.error());
   m_view.own = own ? std::optional(*own) : std::nullopt;
@@ -81,13 +81,12 @@ void Certificates::take(const base::Result<opcua::OwnCertificate>& own, const QS
 }
 
 void Certificates::exportOwn(const QString& path) {
-  makeOwn([folder = m_folder] { return trust::ownCertificate(folder, trust::Owner::Client); },
-          path);
+  makeOwn([folder = m_folder] { return trust::ownCertificate(folder, trust::kClient); }, path);
 }
 
 void Certificates::renewOwn() {
   m_messages.didAct(Act::Trust, {{"certificate", "renewed"}});
-  makeOwn([folder = m_folder] { return trust::renewCertificate(folder, trust::Owner::Client); },
+  makeOwn([folder = m_folder] { return trust::renewCertificate(folder, trust::kClient); },
           QString());
 }
 

@@ -143,8 +143,8 @@ LinuxCncControl::LinuxCncControl(const LinuxCncOptions& options, ChildProcess he
       m_helper(std::move(helper)),
       m_sampler(std::move(sampler)),
       m_cells(static_cast<std::size_t>(options.cells), 0.0) {
-  m_facts.product = "Rivulet bridge to LinuxCNC";
-  m_facts.applicationUri = "urn:rivulet:linuxcnc";
+  m_facts.product = kProductName;
+  m_facts.applicationUri = kApplicationUri;
   m_facts.isVirtual = false;
   m_facts.abilities = {options.mayStart, options.hasSampler};
   m_facts.samplingMin = std::chrono::milliseconds{10};

@@ -76,7 +76,10 @@ int main(int argc, char** argv) {
     const auto self = std::filesystem::read_symlink("/proc/self/exe", status);
     arguments.linuxCnc.helper = (self.parent_path() / "rivulet-linuxcnc-helper").string();
   }
-  if (const auto done = rivulet::serving::protect(arguments.serving); !done) {
+  if (const auto done = rivulet::serving::protect(
+          arguments.serving,
+          {"linuxcnc", rivulet::linuxcnc::kProductName, rivulet::linuxcnc::kApplicationUri});
+      !done) {
     return complain(done.error(), kExitUsage);
   }
   const auto control = rivulet::linuxcnc::LinuxCncControl::connect(arguments.linuxCnc);

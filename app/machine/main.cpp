@@ -158,7 +158,10 @@ int main(int argc, char** argv) {
     }
   }
   arguments.serving.server.fileRights = !arguments.noFileRights;
-  if (const auto done = rivulet::serving::protect(arguments.serving); !done) {
+  if (const auto done = rivulet::serving::protect(
+          arguments.serving,
+          {"machine", rivulet::machine::kProductName, rivulet::machine::kApplicationUri});
+      !done) {
     return complain(done.error(), kExitUsage);
   }
   const auto server = rivulet::machine::Server::start(machine, arguments.serving.server);

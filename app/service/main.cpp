@@ -258,7 +258,9 @@ int run(Arguments& arguments) {
   if (!users) {
     return complain(users.error(), kExitUsage);
   }
-  if (const auto done = rivulet::serving::protect(arguments.serving); !done) {
+  if (const auto done = rivulet::serving::protect(
+          arguments.serving, {"service", "Rivulet service", service::kNamespaceUri});
+      !done) {
     return complain(done.error(), kExitUsage);
   }
   const std::filesystem::path jobs = arguments.jobs.empty()

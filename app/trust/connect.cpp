@@ -117,7 +117,7 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
   options.userCertificate = request.userCertificate;
   options.nodes = request.nodes;
   options.map = request.map;
-  options.own = [&] { return ownCertificate(folder, Owner::Client); };
+  options.own = [&] { return ownCertificate(folder, kClient); };
   options.offered = [&](std::span<const opcua::EndpointOffer> offers) {
     seen.offers.assign(offers.begin(), offers.end());
   };

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <system_error>
+#include <utility>
 
 #include "base/file.h"
 #include "base/private_file.h"
@@ -29,10 +30,6 @@ std::string hostName() {
   return name.empty() ? "localhost" : name;
 }
 
-fs::path folderFor(const fs::path& folder, Owner owner) {
-  return folder / (owner == Owner::Client ? "client" : "machine");
-}
-
 base::Result<opcua::OwnCertificate> load(const fs::path& folder) {
   auto certificate = base::readFile(folder / kCertificateFile, kCertificateBytesMax);
   if (!certificate) {
@@ -46,25 +43,25 @@ base::Result<opcua::OwnCertificate> load(const fs::path& folder) {
   if (!facts || facts->applicationUris.empty()) {
     return base::fail(opcua::LinkError::CertificateInvalid,
                       "The certificate of this computer is damaged. Renew it: rivulet-cli "
-                      "certificate --renew, or rivulet-machine --renew-certificate.",
+                      "certificate --renew, or --renew-certificate of the server.",
                       (folder / kCertificateFile).string());
   }
   return opcua::OwnCertificate{std::move(*certificate), std::move(*key),
                                facts->applicationUris.front()};
 }
 
-opcua::CertificateRequest requestFor(Owner owner) {
+opcua::CertificateRequest requestFor(const Application& application) {
   const std::string host = hostName();
-  if (owner == Owner::Client) {
-    return {"Rivulet@" + host, fmt::format("urn:{}:rivulet", host), {host}};
+  std::string name = fmt::format("{}@{}", application.name, host);
+  if (application.uri.empty()) {
+    return {std::move(name), fmt::format("urn:{}:rivulet", host), {host}};
   }
-  // The application's name identifies the virtual machine to its clients on every computer.
-  return {"Rivulet virtual machine@" + host, "urn:rivulet:machine", {host, "localhost"}};
+  return {std::move(name), std::string(application.uri), {host, "localhost"}};
 }
 
 /// Makes certificate and key in a new folder beside the one that it is for.
-base::Result<fs::path> make(const fs::path& folder, Owner owner) {
-  const auto made = opcua::makeCertificate(requestFor(owner));
+base::Result<fs::path> make(const fs::path& folder, const Application& application) {
+  const auto made = opcua::makeCertificate(requestFor(application));
   if (!made) {
     return base::fail(made.error());
   }
@@ -72,8 +69,7 @@ base::Result<fs::path> make(const fs::path& folder, Owner owner) {
     return base::fail(done.error());
   }
   const fs::path fresh =
-      folder /
-      fmt::format("{}.new-{}", folderFor(folder, owner).filename().string(), platform::processId());
+      folder / fmt::format("{}.new-{}", application.folder, platform::processId());
   std::error_code status;
   fs::remove_all(fresh, status);
   auto done = base::makePrivateFolder(fresh);
@@ -103,26 +99,28 @@ fs::path trustFolder() {
   return folders::configHome() / "rivulet" / "trust";
 }
 
-fs::path certificatePath(const fs::path& folder, Owner owner) {
-  return folderFor(folder, owner) / kCertificateFile;
+fs::path certificatePath(const fs::path& folder, const Application& application) {
+  return folder / application.folder / kCertificateFile;
 }
 
-base::Result<opcua::OwnCertificate> ownCertificate(const fs::path& folder, Owner owner) {
-  const fs::path target = folderFor(folder, owner);
+base::Result<opcua::OwnCertificate> ownCertificate(const fs::path& folder,
+                                                   const Application& application) {
+  const fs::path target = folder / application.folder;
   std::error_code status;
   if (fs::exists(target, status)) {
     return load(target);
   }
-  const auto fresh = make(folder, owner);
+  const auto fresh = make(folder, application);
   return fresh ? install(*fresh, target) : base::fail(fresh.error());
 }
 
-base::Result<opcua::OwnCertificate> renewCertificate(const fs::path& folder, Owner owner) {
-  const auto fresh = make(folder, owner);
+base::Result<opcua::OwnCertificate> renewCertificate(const fs::path& folder,
+                                                     const Application& application) {
+  const auto fresh = make(folder, application);
   if (!fresh) {
     return base::fail(fresh.error());
   }
-  const fs::path target = folderFor(folder, owner);
+  const fs::path target = folder / application.folder;
   std::error_code status;
   for (int number = 1; fs::exists(target, status); ++number) {
     const fs::path old = target.string() + fmt::format(".old-{}", number);

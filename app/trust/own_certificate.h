@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "opcua/security.h"
@@ -18,26 +19,32 @@ namespace rivulet::trust {
 /// Larger files are not read as certificates.
 inline constexpr std::uintmax_t kCertificateBytesMax = 65536;
 
-/// Of which program the certificate is.
-enum class Owner {
-  Client,   ///< rivulet and rivulet-cli
-  Machine,  ///< rivulet-machine
+/// A program that has a certificate.
+struct Application {
+  std::string_view folder;  ///< its certificate's, in the folder of trust
+  std::string_view name;    ///< for people, before the name of the computer
+  /// Application URI of a server: the same on every computer, for clients keep apart by it what
+  /// they know of each, e.g. what has been tested there. Empty: a client, with one of its computer.
+  std::string_view uri;
 };
+
+/// rivulet, rivulet-cli, and what else connects to a control.
+inline constexpr Application kClient{"client", "Rivulet", ""};
 
 /// ~/.config/rivulet/trust
 [[nodiscard]] std::filesystem::path trustFolder();
 /// The certificate itself, without its key, as a control imports it (DER).
 [[nodiscard]] std::filesystem::path certificatePath(const std::filesystem::path& folder,
-                                                    Owner owner);
+                                                    const Application& application);
 
 /// The certificate, made if there is none. @param folder  `trustFolder()`, or another one
 /// @return CertificateInvalid if the files are damaged, NotWritable, Unreadable
 [[nodiscard]] base::Result<opcua::OwnCertificate> ownCertificate(
-    const std::filesystem::path& folder, Owner owner);
+    const std::filesystem::path& folder, const Application& application);
 
 /// Makes a new one. The old one is kept in a folder beside it. Every server that trusts the old one
 /// has to be told.
 [[nodiscard]] base::Result<opcua::OwnCertificate> renewCertificate(
-    const std::filesystem::path& folder, Owner owner);
+    const std::filesystem::path& folder, const Application& application);
 
 }  // namespace rivulet::trust

@@ -123,8 +123,8 @@ class TestWindowTrust : public QObject {
   }
   /// Makes them. The certificate of another computer is as good as any.
   [[nodiscard]] std::string fingerprintOf(const char* name) const {
-    const auto own = trust::ownCertificate(m_folder.filePath(QLatin1String(name)).toStdString(),
-                                           trust::Owner::Client);
+    const auto own =
+        trust::ownCertificate(m_folder.filePath(QLatin1String(name)).toStdString(), trust::kClient);
     return own ? opcua::readCertificate(own->certificate)->fingerprint : std::string();
   }
   /// Types user and password, and presses Connect.

@@ -7,7 +7,9 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <vector>
 
 #include "machine/user.h"
@@ -288,6 +290,44 @@ class TestTrust : public QObject {
     QCOMPARE(process.exitCode(), 2);
     const QByteArray errors = process.readAllStandardError();
     QVERIFY2(errors.contains("RIVULET_PASSWORD") && !errors.contains("--"), errors.constData());
+  }
+
+  /// Clients keep apart by the application's URI what they know of each server: a bridge that
+  /// called itself the virtual machine would get, at the same address, what was tested there.
+  void serversOfOneUserHaveDifferentIdentities() {
+    const QString folder = path("servers");
+    const std::array<std::tuple<QString, QString, QStringList>, 3> servers{{
+        {QStringLiteral(RIVULET_MACHINE_PROGRAM),
+         QStringLiteral("machine"),
+         {QStringLiteral("--port"), QStringLiteral("0")}},
+        {QStringLiteral(RIVULET_LINUXCNC),
+         QStringLiteral("linuxcnc"),
+         {QStringLiteral("--helper"), QStringLiteral("/bin/false"), QStringLiteral("--programs"),
+          folder}},
+        {QStringLiteral(RIVULET_SERVICE),
+         QStringLiteral("service"),
+         {QStringLiteral("run"), QStringLiteral("opc.tcp://127.0.0.1:1"), QStringLiteral("--port"),
+          QStringLiteral("0")}},
+    }};
+    for (const auto& [program, name, arguments] : servers) {
+      QProcess server;
+      QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+      for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"}) {
+        environment.insert(QLatin1String(variable), folder);
+      }
+      server.setProcessEnvironment(environment);
+      server.start(program, arguments + QStringList{QStringLiteral("--certificates"), folder});
+      QFile certificate(folder + QLatin1Char('/') + name + QStringLiteral("/certificate.der"));
+      QTRY_VERIFY_WITH_TIMEOUT(certificate.exists(), kRunMs);
+      QVERIFY(certificate.open(QIODevice::ReadOnly));
+      const QByteArray der = certificate.readAll();
+      for (const auto& [other, otherName, none] : servers) {
+        QCOMPARE(der.contains("urn:rivulet:" + otherName.toLatin1()), otherName == name);
+      }
+      QCOMPARE(der.contains("virtual machine@"), name == QLatin1String("machine"));
+      server.terminate();
+      QVERIFY(server.state() == QProcess::NotRunning || server.waitForFinished(kRunMs));
+    }
   }
 
   void aPasswordFileMustBePrivate() {

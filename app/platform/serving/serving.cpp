@@ -75,15 +75,15 @@ void setUpLog(const char* program, const Options& options) {
   }
 }
 
-base::Result<void> protect(Options& options) {
+base::Result<void> protect(Options& options, const trust::Application& application) {
   const std::filesystem::path folder = options.certificates.empty()
                                            ? trust::trustFolder()
                                            : std::filesystem::path(options.certificates);
   machine::ServerOptions& server = options.server;
   const bool isLocal = opcua::isLoopback("opc.tcp://" + server.host) || server.host == "::1";
   server.unencrypted = !options.encrypted && (isLocal || options.insecure);
-  auto own = options.renewCertificate ? trust::renewCertificate(folder, trust::Owner::Machine)
-                                      : trust::ownCertificate(folder, trust::Owner::Machine);
+  auto own = options.renewCertificate ? trust::renewCertificate(folder, application)
+                                      : trust::ownCertificate(folder, application);
   if (!own) {
     return tl::unexpected(own.error());
   }

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "machine/front/server.h"
 #include "opcua/node_map.h"
+#include "trust/own_certificate.h"
 
 namespace rivulet::serving {
 
@@ -39,7 +40,7 @@ void addOptions(CLI::App& app, Options& options, std::uint16_t port = opcua::kPo
 void setUpLog(const char* program, const Options& options);
 
 /// Certificate, encryption and clients of `options.server`, as the options say.
-[[nodiscard]] base::Result<void> protect(Options& options);
+[[nodiscard]] base::Result<void> protect(Options& options, const trust::Application& application);
 
 /// One English sentence or two.
 [[nodiscard]] std::string describe(const machine::LoginFailure& failure);

@@ -11,8 +11,8 @@ namespace rivulet::machine {
 ServedMachine::ServedMachine(Machine& machine) : m_machine(machine) {
   const MachineConfig& config = machine.config();
   m_facts.name = config.name;
-  m_facts.product = "Rivulet virtual machine";
-  m_facts.applicationUri = "urn:rivulet:machine";
+  m_facts.product = kProductName;
+  m_facts.applicationUri = kApplicationUri;
   m_facts.abilities = {true, true};
   m_facts.tracePieces = true;
   for (int axis = static_cast<int>(base::kAxisCount); config.rotaryAt(axis); ++axis) {

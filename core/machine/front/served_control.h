@@ -25,6 +25,10 @@
 
 namespace rivulet::machine {
 
+/// As the virtual machine presents itself.
+inline constexpr std::string_view kProductName = "Rivulet virtual machine";
+inline constexpr std::string_view kApplicationUri = "urn:rivulet:machine";
+
 /// Between which values a variable is in normal operation, in its unit.
 struct ValueRange {
   double low = 0.0;
