@@ -47,6 +47,8 @@ namespace {
 using rivulet::tests::kRunMs;
 using rivulet::tests::kSoonMs;
 constexpr double kInteractivePace = 8.0;
+/// While pictures of a run are made, which take minutes on a busy computer.
+constexpr double kPicturedPace = 0.5;
 constexpr int kWholePathPx = 768;  ///< windows of this height show it whole
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
@@ -281,11 +283,13 @@ class TestLook : public QObject {
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     QVERIFY(m_window->start());
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 14, kRunMs);
+    m_machine->setPace(kPicturedPace);
     for (const Look& look : looks()) {
       dress(look);
       inspect(look, QStringLiteral("running"));
     }
     QCOMPARE(m_window->lastUpdate().state, streaming::RunState::Running);
+    m_machine->setPace(kInteractivePace);
     m_window->findChild<widgets::RunPanel*>()->findChild<QPushButton*>("hold")->click();
     QTRY_COMPARE_WITH_TIMEOUT(m_window->lastUpdate().state, streaming::RunState::Holding, kRunMs);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().feed->stoodAfter.has_value(), kRunMs);
