@@ -24,7 +24,7 @@ constexpr std::chrono::seconds kTellMax{2};
 Announcer::Announcer(std::string discoveryServer, const std::string& endpoint)
     : m_discoveryServer(std::move(discoveryServer)),
       m_own{
-          "Rivulet service",
+          std::string(kProductName),
           // All services of a user have one certificate; a discovery server needs different names.
           fmt::format("{}:{}", kNamespaceUri, endpoint),
           std::string(kNamespaceUri),

@@ -259,7 +259,7 @@ int run(Arguments& arguments) {
     return complain(users.error(), kExitUsage);
   }
   if (const auto done = rivulet::serving::protect(
-          arguments.serving, {"service", "Rivulet service", service::kNamespaceUri});
+          arguments.serving, {"service", service::kProductName, service::kNamespaceUri});
       !done) {
     return complain(done.error(), kExitUsage);
   }

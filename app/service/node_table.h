@@ -23,6 +23,8 @@ namespace rivulet::service {
 inline constexpr std::uint16_t kPort = 4841;
 /// Namespace of all nodes of the service, and its product as discovery servers know it.
 inline constexpr std::string_view kNamespaceUri = "urn:rivulet:service";
+/// As a service presents itself, also in its certificate.
+inline constexpr std::string_view kProductName = "Rivulet service";
 /// The object that holds the others; a node is "ns=…;s=<object>/<name>".
 inline constexpr std::string_view kMethodsObject = "Session";
 

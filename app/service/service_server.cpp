@@ -178,9 +178,9 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
                                        : kNamespaceUri);
     status |= machine::replaceText(config.applicationDescription.productUri, kNamespaceUri);
     status |=
-        machine::replaceText(config.applicationDescription.applicationName.text, "Rivulet service");
+        machine::replaceText(config.applicationDescription.applicationName.text, kProductName);
     status |= machine::replaceText(config.buildInfo.manufacturerName, "Rivulet");
-    status |= machine::replaceText(config.buildInfo.productName, "Rivulet service");
+    status |= machine::replaceText(config.buildInfo.productName, kProductName);
     status |= machine::replaceText(config.buildInfo.softwareVersion, RIVULET_VERSION);
   }
   if (status != UA_STATUSCODE_GOOD) {
