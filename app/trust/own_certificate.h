@@ -23,8 +23,8 @@ inline constexpr std::uintmax_t kCertificateBytesMax = 65536;
 struct Application {
   std::string_view folder;  ///< its certificate's, in the folder of trust
   std::string_view name;    ///< for people, before the name of the computer
-  /// Application URI of a server: the same on every computer, for clients keep apart by it what
-  /// they know of each, e.g. what has been tested there. Empty: a client, with one of its computer.
+  /// Application URI of a server: the same on every computer. Clients keep what they know of a
+  /// server under its address and this URI. Empty: a client, with one of its computer.
   std::string_view uri;
 };
 

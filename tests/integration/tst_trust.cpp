@@ -292,8 +292,8 @@ class TestTrust : public QObject {
     QVERIFY2(errors.contains("RIVULET_PASSWORD") && !errors.contains("--"), errors.constData());
   }
 
-  /// Clients keep apart by the application's URI what they know of each server: a bridge that
-  /// called itself the virtual machine would get, at the same address, what was tested there.
+  /// Clients keep what they know of a server under its address and application URI: a bridge that
+  /// called itself the virtual machine would get the limits of travel that were entered for that.
   void serversOfOneUserHaveDifferentIdentities() {
     const QString folder = path("servers");
     const std::array<std::tuple<QString, QString, QStringList>, 3> servers{{

@@ -196,7 +196,7 @@ class PathCanvas final : public QWidget {
 
   Texts m_texts;
   std::shared_ptr<const overview::ProgramView> m_program;
-  Style m_style;  ///< without `ofPoint`, which is the first of these:
+  Style m_style;  ///< `classes` without `ofPoint`: that is the first of `m_levelClasses`
   std::vector<std::vector<std::uint8_t>> m_levelClasses;  ///< per level, per kept point
   std::size_t m_executed = 0;
   std::size_t m_runBegin = 0;
