@@ -188,6 +188,12 @@ class Preflight final : public QObject {
   mutable forecast::SetUp m_setUp;                                  ///< computed once for both
   /// Found once between two changes; nothing: not yet.
   mutable std::optional<std::optional<streaming::CutOnTheWay>> m_cut;
+  /// Of the program's path: it takes a pass over it.
+  struct Path {
+    std::shared_ptr<const overview::ProgramView> view;
+    streaming::CutBox cut;
+  };
+  mutable Path m_path;
   // By the operator, as long as it is shown.
   bool m_isSetUpConfirmed = false;
   bool m_isFirstMoveConfirmed = false;

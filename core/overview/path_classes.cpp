@@ -45,8 +45,6 @@ std::vector<double> shortestWindowOf(const std::vector<double>& stepsMm, std::si
   return shortest;
 }
 
-}  // namespace
-
 void separateGaps(PathClasses& classes, const ProgramView& view) {
   if (view.gaps.empty() || classes.ofPoint.empty()) {
     return;
@@ -56,6 +54,43 @@ void separateGaps(PathClasses& classes, const ProgramView& view) {
     classes.ofPoint[gap.point] = static_cast<std::uint8_t>(classes.count);
   }
   ++classes.count;
+}
+
+/// A move that represents several shows the class of the last, or the highest of all.
+std::vector<std::uint8_t> coarser(const PathLevel& level, const PathLevel& fine,
+                                  const std::vector<std::uint8_t>& fineClasses, bool highest) {
+  std::vector<std::uint8_t> classes;
+  classes.reserve(level.kept.size());
+  std::size_t at = 0;
+  for (const std::uint32_t point : level.kept) {
+    std::uint8_t shown = 0;
+    for (; at < fine.kept.size() && fine.kept[at] <= point; ++at) {
+      shown = highest ? std::max(shown, fineClasses[at]) : fineClasses[at];
+    }
+    classes.push_back(shown);
+  }
+  return classes;
+}
+
+}  // namespace
+
+std::shared_ptr<const DrawnClasses> drawnClasses(PathClasses classes, const ProgramView& view) {
+  RIVULET_ASSERT(classes.ofPoint.size() == view.points.points.size());
+  auto drawn = std::make_shared<DrawnClasses>();
+  separateGaps(classes, view);
+  drawn->present.assign(classes.count, false);
+  for (const std::uint8_t one : classes.ofPoint) {
+    drawn->present[one] = true;
+  }
+  drawn->ofLevel.push_back(std::move(classes.ofPoint));
+  const std::vector<PathLevel>& levels = view.levels.levels();
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    drawn->ofLevel.push_back(
+        coarser(levels[level], levels[level - 1], drawn->ofLevel.back(), classes.highestWins));
+  }
+  classes.ofPoint.clear();
+  drawn->classes = std::move(classes);
+  return drawn;
 }
 
 PathClasses classesByKind(const ProgramView& view) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "feasibility/verdict.h"
@@ -47,8 +48,15 @@ inline constexpr std::size_t kFeedClassesMax = 6;
 inline constexpr std::size_t kTimeClasses = 5;
 inline constexpr std::size_t kPauseClasses = 4;  ///< beside that without pauses
 
-/// Puts the moves of the gaps into a class of their own, in every colouring.
-void separateGaps(PathClasses& classes, const ProgramView& view);
+/// The classes as the levels of the path show them. @threadsafety immutable once made
+struct DrawnClasses {
+  PathClasses classes;                             ///< without `ofPoint`: that is `ofLevel.front()`
+  std::vector<std::vector<std::uint8_t>> ofLevel;  ///< per level of the view, per kept point
+  std::vector<bool> present;                       ///< per class: a move is of it
+};
+/// Puts the moves of gaps into a class of their own.
+[[nodiscard]] std::shared_ptr<const DrawnClasses> drawnClasses(PathClasses classes,
+                                                               const ProgramView& view);
 
 [[nodiscard]] PathClasses classesByKind(const ProgramView& view);
 

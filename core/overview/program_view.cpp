@@ -14,6 +14,7 @@
 #include "base/axes.h"
 #include "base/contract.h"
 #include "base/text.h"
+#include "overview/path_classes.h"
 
 namespace rivulet::overview {
 
@@ -220,6 +221,18 @@ void orderByLine(ProgramView& view) {
                    [&](std::uint32_t a, std::uint32_t b) { return earlier(points[a], points[b]); });
 }
 
+std::optional<std::pair<double, double>> cuttingFeeds(const ProgramView& view) {
+  std::optional<std::pair<double, double>> range;
+  for (std::size_t i = 0; i < view.points.points.size(); ++i) {
+    const double feed = view.programmedMmPerS(i);
+    if (feed > 0.0 && view.points.points[i].kind != gcode::MoveKind::Rapid) {
+      range = range ? std::pair(std::min(range->first, feed), std::max(range->second, feed))
+                    : std::pair(feed, feed);
+    }
+  }
+  return range;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> ProgramView::pointsOfLine(base::LineNumber line) const {
@@ -269,6 +282,7 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   for (const gcode::StreamPoint& point : view->points.points) {
     view->fastestMmPerS = std::max(view->fastestMmPerS, point.feedMmPerS);
   }
+  view->cuttingMmPerS = cuttingFeeds(*view);
   view->lineWithoutFeed = gcode::lineWithoutFeed(view->program->trajectory);
   view->turnedAxes = gcode::turnedAxes(view->program->trajectory);
   view->dependsOnStart = std::any_of(
@@ -304,7 +318,11 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
       [](const gcode::StreamPoint& point) { return point.kind == gcode::MoveKind::Rapid; });
   bool goOn = true;
   view->levels = PathLevels(view->points.points, isRapid, [&] { return goOn = goesOn(0.6); });
-  return goOn && goesOn(1.0) ? view : nullptr;
+  if (!goOn || !goesOn(1.0)) {
+    return nullptr;
+  }
+  view->kinds = drawnClasses(classesByKind(*view), *view);
+  return view;
 }
 
 }  // namespace rivulet::overview

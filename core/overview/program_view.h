@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "feasibility/path_statistics.h"
@@ -35,6 +36,8 @@ struct KindLengths {
   double splineMm = 0.0;  ///< along the chords
 };
 
+struct DrawnClasses;
+
 struct ProgramView {
   std::shared_ptr<const gcode::Program> program;
   /// The program as a job; null: it was not split. If `program` is not that of the plan, all motion
@@ -53,6 +56,8 @@ struct ProgramView {
   std::optional<gcode::ProgramFeeds> feeds;         ///< at 100 %; nothing: the points have no feeds
   double fastestMmPerS = 0.0;                       ///< largest of those feeds
   std::optional<base::LineNumber> lineWithoutFeed;  ///< see `gcode::lineWithoutFeed`
+  /// Least and largest feed that the program gives its cutting moves, mm/s; nothing: it names none.
+  std::optional<std::pair<double, double>> cuttingMmPerS;
   base::RotarySet turnedAxes{};  ///< rotary axes that the program moves on its path
   /// Feed as programmed, of the move that ends at a streamed point.
   [[nodiscard]] float programmedMmPerS(std::size_t point) const {
@@ -60,6 +65,7 @@ struct ProgramView {
   }
   std::vector<std::uint32_t> trajectoryIndices;  ///< of the streamed points in the trajectory
   PathLevels levels;
+  std::shared_ptr<const DrawnClasses> kinds;  ///< of the moves (`overview/path_classes.h`)
 
   /// A move to a streamed point that does not begin where the point before it is: the control moves
   /// in between. The path to the point begins at `fromMm`.

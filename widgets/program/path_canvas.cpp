@@ -38,6 +38,7 @@ constexpr qsizetype kPieceVertices = 128;  // a wide line is filled as one shape
 constexpr double kPixelsPerMmMin = 1e-3;
 constexpr double kPixelsPerMmMax = 1e5;
 constexpr double kNearPx = 14.0;             // a finger does not hit a line
+constexpr double kToolPx = 16.0;             // from the tool to the ends of its cross
 constexpr double kClickPx = 4.0;             // a press that moves no farther is a click
 constexpr double kMarkCellPx = 18.0;         // of marks in one such cell one is drawn
 constexpr std::size_t kSelectedMax = 2'000;  // moves shown as chosen
@@ -116,7 +117,6 @@ void PathCanvas::replaceProgram(std::shared_ptr<const overview::ProgramView> vie
   m_program = std::move(view);
   m_pauses.reset();
   m_style = {};
-  m_levelClasses.clear();
   const std::size_t count = hasPath() ? m_program->points.points.size() : 0;
   m_executed = std::min(m_executed, count);
   if (m_marked && *m_marked >= count) {
@@ -128,29 +128,10 @@ void PathCanvas::replaceProgram(std::shared_ptr<const overview::ProgramView> vie
 
 void PathCanvas::setStyle(Style style) {
   m_style = std::move(style);
-  m_levelClasses.clear();
   dropPicture();
-  if (!hasPath() || m_style.classes.ofPoint.size() != m_program->points.points.size()) {
+  if (m_style.classes &&
+      (!hasPath() || m_style.classes->ofLevel.front().size() != m_program->points.points.size())) {
     m_style = {};
-    return;
-  }
-  // A move that represents several shows the class of the last, or the highest of all.
-  const bool highest = m_style.classes.highestWins;
-  m_levelClasses.push_back(std::move(m_style.classes.ofPoint));
-  for (std::size_t level = 1; level < levels().size(); ++level) {
-    const std::vector<std::uint32_t>& fine = levels()[level - 1].kept;
-    const std::vector<std::uint8_t>& fineClasses = m_levelClasses.back();
-    std::vector<std::uint8_t> classes;
-    classes.reserve(levels()[level].kept.size());
-    std::size_t at = 0;
-    for (const std::uint32_t point : levels()[level].kept) {
-      std::uint8_t shown = 0;
-      for (; at < fine.size() && fine[at] <= point; ++at) {
-        shown = highest ? std::max(shown, fineClasses[at]) : fineClasses[at];
-      }
-      classes.push_back(shown);
-    }
-    m_levelClasses.push_back(std::move(classes));
   }
 }
 
@@ -183,9 +164,37 @@ void PathCanvas::setRunBegin(std::size_t point) {
 void PathCanvas::setToolPosition(const std::optional<base::Vec3>& positionMm) {
   const auto toolMm = positionMm && base::isFinite(*positionMm) ? positionMm : std::nullopt;
   if (toolMm != m_toolMm) {  // an idle machine is read again and again
+    QRegion changed = toolRegion();
     m_toolMm = toolMm;
-    update();
+    changed += toolRegion();
+    update(changed);
   }
+}
+
+PathCanvas::ToolMark PathCanvas::toolMark() const {
+  ToolMark mark{onScreen(m_projection(*m_toolMm)),
+                QStringLiteral("%1 X %2 Y %3 Z %4")
+                    .arg(m_texts.tool, numberText(m_toolMm->x, 2), numberText(m_toolMm->y, 2),
+                         lengthText(m_toolMm->z, 2)),
+                {}};
+  mark.box = QRectF(fontMetrics().boundingRect(mark.label)).adjusted(-6, -3, 6, 3);
+  mark.box.moveBottomLeft(mark.place + QPointF(14.0, -12.0));
+  // The label never leaves the picture, wherever the tool is.
+  mark.box.moveLeft(
+      std::clamp(mark.box.left(), 4.0, std::max(4.0, width() - mark.box.width() - 4.0)));
+  mark.box.moveTop(
+      std::clamp(mark.box.top(), 30.0, std::max(30.0, height() - mark.box.height() - 4.0)));
+  return mark;
+}
+
+QRegion PathCanvas::toolRegion() const {
+  if (!m_toolMm) {
+    return {};
+  }
+  const ToolMark mark = toolMark();
+  const QRectF cross(mark.place - QPointF(kToolPx, kToolPx), QSizeF(2 * kToolPx, 2 * kToolPx));
+  return QRegion(cross.adjusted(-4, -4, 4, 4).toAlignedRect()) +
+         mark.box.adjusted(-2, -2, 2, 2).toAlignedRect();
 }
 
 void PathCanvas::setFirstWay(std::vector<base::Vec3> placesMm) {
@@ -451,7 +460,8 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.drawImage(0, 0, m_picture);
   // Where the density is shown as colour, marks come when each of them has a place.
-  const bool showsDensity = m_style.classes.colouring == overview::PathColouring::Pauses;
+  const bool showsDensity =
+      m_style.classes && m_style.classes->classes.colouring == overview::PathColouring::Pauses;
   if (m_pauses && (!showsDensity || m_drawn.pauses == m_drawn.pausesSeen)) {
     painter.drawImage(0, 0, m_marks);
   }
@@ -594,7 +604,7 @@ void PathCanvas::makePicture() {
   m_drawn.moves = 0;
   m_executedInPicture = 0;
   m_isFine = true;
-  if (!hasPath() || m_levelClasses.empty()) {
+  if (!hasPath() || !m_style.classes) {
     return;
   }
   const std::size_t wanted = wantedLevel();
@@ -698,16 +708,16 @@ void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bo
   const std::vector<std::uint32_t>& kept = levels()[level].kept;
   const std::vector<gcode::StreamPoint>& points = m_program->points.points;
   const auto at = [&](std::size_t i) { return onScreen(m_projection(points[kept[i]].positionMm)); };
-  const auto isGap = [&](std::size_t i) {
-    return m_style.classes.hasGaps && m_levelClasses[level][i] + 1U == m_style.classes.count;
-  };
+  const overview::PathClasses& shown = m_style.classes->classes;
+  const std::vector<std::uint8_t>& classOf = m_style.classes->ofLevel[level];
+  const auto isGap = [&](std::size_t i) { return shown.hasGaps && classOf[i] + 1U == shown.count; };
   const auto classAt = [&](std::size_t i) -> std::size_t {
     if (isExecuted) {
       return isGap(i) ? 2 : points[kept[i]].kind == gcode::MoveKind::Rapid ? 0 : 1;
     }
-    return m_levelClasses[level][i];
+    return classOf[i];
   };
-  const std::size_t classes = isExecuted ? 3 : m_style.classes.count;
+  const std::size_t classes = isExecuted ? 3 : shown.count;
   strokes.lines.resize(std::max(strokes.lines.size(), classes));
   QPolygonF line;
   std::size_t lineClass = 0;
@@ -1141,31 +1151,24 @@ void PathCanvas::drawTool(QPainter& painter) const {
     return;
   }
   const ThemeColors& colors = themeColors(palette());
-  const QPointF tool = onScreen(m_projection(*m_toolMm));
+  const ToolMark mark = toolMark();
+  const QPointF tool = mark.place;
   const auto cross = [&](const QPen& pen) {
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(tool, 8.0, 8.0);
     for (const QPointF direction :
          {QPointF(1.0, 0.0), QPointF(-1.0, 0.0), QPointF(0.0, 1.0), QPointF(0.0, -1.0)}) {
-      painter.drawLine(tool + 4.0 * direction, tool + 16.0 * direction);
+      painter.drawLine(tool + 4.0 * direction, tool + kToolPx * direction);
     }
   };
   cross(QPen(colors.surface, 5.0));  // stands out from any path under it
   cross(QPen(colors.text, 2.0));
-  const QString label = QStringLiteral("%1 X %2 Y %3 Z %4")
-                            .arg(m_texts.tool, numberText(m_toolMm->x, 2),
-                                 numberText(m_toolMm->y, 2), lengthText(m_toolMm->z, 2));
-  QRectF box = QRectF(painter.fontMetrics().boundingRect(label)).adjusted(-6, -3, 6, 3);
-  box.moveBottomLeft(tool + QPointF(14.0, -12.0));
-  // The label never leaves the picture, wherever the tool is.
-  box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
-  box.moveTop(std::clamp(box.top(), 30.0, std::max(30.0, height() - box.height() - 4.0)));
   painter.setPen(colors.line);
   painter.setBrush(colors.surface);
-  painter.drawRoundedRect(box, 3.0, 3.0);
+  painter.drawRoundedRect(mark.box, 3.0, 3.0);
   painter.setPen(colors.text);
-  painter.drawText(box, Qt::AlignCenter, label);
+  painter.drawText(mark.box, Qt::AlignCenter, mark.label);
 }
 
 QPointF PathCanvas::onScreen(overview::PlanePoint place) const {

@@ -56,7 +56,8 @@ class PathCanvas final : public QWidget {
 
   /// How the moves of each class are drawn.
   struct Style {
-    overview::PathClasses classes;
+    std::shared_ptr<const overview::DrawnClasses>
+        classes;             ///< of the program; null: no path is drawn
     std::vector<QPen> pens;  ///< one per class
   };
 
@@ -68,6 +69,7 @@ class PathCanvas final : public QWidget {
   /// The program's points for another position of the tool; the picture stays as it is.
   void replaceProgram(std::shared_ptr<const overview::ProgramView> view);
   void setStyle(Style style);
+  [[nodiscard]] bool hasClasses() const { return m_style.classes != nullptr; }
   /// What the path cannot leave, drawn around it; the picture is then fitted to it, not to the
   /// path.
   struct Box {
@@ -189,6 +191,15 @@ class PathCanvas final : public QWidget {
   void drawFirstWay(QPainter& painter) const;
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
+  struct ToolMark {
+    QPointF place;
+    QString label;
+    QRectF box;  ///< of the label
+  };
+  /// Of a position that is known.
+  [[nodiscard]] ToolMark toolMark() const;
+  /// What the mark of the tool covers.
+  [[nodiscard]] QRegion toolRegion() const;
   [[nodiscard]] QPointF onScreen(overview::PlanePoint place) const;
   /// Whether something in the box may be within a finger's width.
   [[nodiscard]] bool isNear(const overview::PlaneBox& box, QPointF place) const;
@@ -196,8 +207,7 @@ class PathCanvas final : public QWidget {
 
   Texts m_texts;
   std::shared_ptr<const overview::ProgramView> m_program;
-  Style m_style;  ///< `classes` without `ofPoint`: that is the first of `m_levelClasses`
-  std::vector<std::vector<std::uint8_t>> m_levelClasses;  ///< per level, per kept point
+  Style m_style;
   std::size_t m_executed = 0;
   std::size_t m_runBegin = 0;
   std::optional<base::Vec3> m_toolMm;

@@ -6,6 +6,7 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -24,6 +25,39 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr double kStepsPerS = 1000.0;  // of the slider, by time
+
+/// The classes of so many take the GUI thread some milliseconds.
+constexpr std::size_t kPointsAtOnce = 50'000;
+
+/// What decides the classes.
+struct Wanted {
+  std::shared_ptr<const overview::ProgramView> program;
+  std::shared_ptr<const overview::ProgramTimes> times;
+  std::shared_ptr<const overview::PauseMap> pauses;
+  feasibility::OperatingPoint point;
+  feasibility::AccessModel access;
+  bool ownFeeds = false;
+  overview::PathColouring colouring = overview::PathColouring::Kind;
+};
+
+overview::PathClasses classesOf(const Wanted& wanted) {
+  const overview::ProgramView& program = *wanted.program;
+  switch (wanted.colouring) {
+    case overview::PathColouring::Feed:
+      return overview::classesByFeed(program);
+    case overview::PathColouring::Margin:
+      return overview::classesByMargin(program, wanted.point, wanted.access, wanted.ownFeeds);
+    case overview::PathColouring::Pauses:
+      return overview::classesByPauses(program, wanted.pauses.get());
+    case overview::PathColouring::Time:
+      // Until the times are known the path is shown as one class.
+      return overview::classesByTime(
+          wanted.times ? wanted.times->atS : std::vector<float>(program.points.points.size()));
+    case overview::PathColouring::Kind:
+      break;
+  }
+  return overview::classesByKind(program);
+}
 
 }  // namespace
 
@@ -68,7 +102,7 @@ PathView::PathView(QWidget* parent)
     Q_EMIT pointChosen(point);
   });
   retranslate();
-  onTheme(&PathView::recolour);
+  onTheme(&PathView::showClasses);
 }
 
 void PathView::setProgram(std::shared_ptr<const overview::ProgramView> view) {
@@ -216,52 +250,51 @@ bool PathView::scrubsByTime() const {
 }
 
 void PathView::recolour() {
-  overview::PathClasses classes;
-  if (m_program) {
-    switch (m_colouring) {
-      case overview::PathColouring::Kind:
-        classes = overview::classesByKind(*m_program);
-        break;
-      case overview::PathColouring::Feed:
-        classes = overview::classesByFeed(*m_program);
-        break;
-      case overview::PathColouring::Margin:
-        classes = overview::classesByMargin(*m_program, m_point, m_access, m_ownFeeds);
-        break;
-      case overview::PathColouring::Time:
-        // Until the times are known the path is shown as one class.
-        classes =
-            overview::classesByTime(m_times ? m_times->atS : std::vector<float>(pointCount()));
-        break;
-      case overview::PathColouring::Pauses:
-        classes = overview::classesByPauses(*m_program, m_pauses.get());
-        break;
+  const unsigned order = ++*m_ordered;
+  if (!m_program || m_colouring == overview::PathColouring::Kind) {
+    m_shown = m_program ? m_program->kinds : std::make_shared<const overview::DrawnClasses>();
+    showClasses();
+    return;
+  }
+  auto find = [ordered = m_ordered, order, path = QPointer<PathView>(this),
+               wanted = Wanted{m_program, m_times, m_pauses, m_point, m_access, m_ownFeeds,
+                               m_colouring}]() -> std::function<void()> {
+    if (*ordered != order) {
+      return [] {};
     }
+    return [ordered, order, path, classes = drawnClasses(classesOf(wanted), *wanted.program)] {
+      if (path && *ordered == order) {
+        path->m_shown = classes;
+        path->showClasses();
+      }
+    };
+  };
+  if (!m_elsewhere || pointCount() <= kPointsAtOnce) {
+    find()();
+    return;
   }
-  if (m_program) {
-    separateGaps(classes, *m_program);
+  if (!m_canvas->hasClasses()) {
+    m_shown = m_program->kinds;  // meanwhile
+    showClasses();
   }
-  m_present.assign(classes.count, false);
-  for (const std::uint8_t one : classes.ofPoint) {
-    m_present[one] = true;
-  }
-  std::vector<std::uint8_t> ofPoint = std::exchange(classes.ofPoint, {});
-  m_classes = classes;
-  classes.ofPoint = std::move(ofPoint);
-  m_canvas->setStyle({std::move(classes), pens()});
+  m_elsewhere(std::move(find));
+}
+
+void PathView::showClasses() {
+  m_canvas->setStyle({m_program ? m_shown : nullptr, pens()});
   showLegend();
 }
 
 std::vector<QPen> PathView::pens() const {
   std::vector<QPen> pens;
-  for (std::size_t one = 0; one < m_classes.count; ++one) {
+  for (std::size_t one = 0; one < classes().count; ++one) {
     pens.push_back(penOf(one));
   }
   return pens;
 }
 
 std::size_t PathView::pathClasses() const {
-  return m_classes.count - (m_classes.hasGaps ? 1 : 0);
+  return classes().count - (classes().hasGaps ? 1 : 0);
 }
 
 QPen PathView::penOf(std::size_t one) const {
@@ -274,7 +307,7 @@ QPen PathView::penOf(std::size_t one) const {
   const auto share = [&](std::size_t of, std::size_t count) {
     return count < 2 ? 0.0 : static_cast<double>(of) / static_cast<double>(count - 1);
   };
-  switch (m_classes.colouring) {
+  switch (classes().colouring) {
     case overview::PathColouring::Kind: {
       switch (static_cast<overview::KindClass>(one)) {
         case overview::KindClass::Rapid:
@@ -305,11 +338,11 @@ QPen PathView::penOf(std::size_t one) const {
 }
 
 QString PathView::nameOf(std::size_t one) const {
-  const std::vector<double>& borders = m_classes.borders;
+  const std::vector<double>& borders = classes().borders;
   const auto range = [](const QString& from, const QString& to) {
     return QStringLiteral("%1 \u2026 %2").arg(from, to);
   };
-  switch (m_classes.colouring) {
+  switch (classes().colouring) {
     case overview::PathColouring::Kind:
       switch (static_cast<overview::KindClass>(one)) {
         case overview::KindClass::Rapid:
@@ -326,7 +359,7 @@ QString PathView::nameOf(std::size_t one) const {
       if (one == 0) {
         return tr("Rapid");
       }
-      if (m_classes.eachFeedItsOwn) {
+      if (classes().eachFeedItsOwn) {
         return borders[one - 1] > 0.0 ? feedText(borders[one - 1]) : tr("no feed given");
       }
       return range(feedText(borders[one - 1]).section(QChar(0x00A0), 0, 0), feedText(borders[one]));
@@ -354,11 +387,11 @@ QString PathView::nameOf(std::size_t one) const {
 void PathView::showLegend() {
   std::vector<LegendEntry> entries;
   if (m_program) {
-    if (m_classes.colouring == overview::PathColouring::Time && !m_times) {
+    if (classes().colouring == overview::PathColouring::Time && !m_times) {
       entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("computing …")});
     } else {
       for (std::size_t one = 0; one < pathClasses(); ++one) {
-        if (m_present[one]) {
+        if (m_shown->present[one]) {
           entries.push_back({LegendEntry::Symbol::Line, penOf(one), {}, nameOf(one)});
         }
       }

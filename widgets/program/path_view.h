@@ -7,6 +7,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,8 +32,13 @@ class PathView final : public Page {
   Q_OBJECT
 
  public:
+  /// Runs work outside the GUI thread, and there what the work returns.
+  using Elsewhere = std::function<void(std::function<std::function<void()>()>)>;
+
   explicit PathView(QWidget* parent = nullptr);
 
+  /// Where the classes of the moves of a long program are found; without it: here.
+  void setElsewhere(Elsewhere elsewhere) { m_elsewhere = std::move(elsewhere); }
   /// In the language of the operator, also for other canvases.
   [[nodiscard]] static PathCanvas::Texts canvasTexts();
   /// @param view  null: none. Forgets progress, selection and times of the previous one.
@@ -59,6 +66,8 @@ class PathView final : public Page {
   void setView(PathCanvas::View view);
   void setColouring(overview::PathColouring colouring);
   [[nodiscard]] overview::PathColouring colouring() const { return m_colouring; }
+  /// The classes of a long program come later.
+  [[nodiscard]] overview::PathColouring shownColouring() const { return classes().colouring; }
   /// Marks a point and, if necessary, moves the picture to it. The slider follows; no signal is
   /// emitted.
   void markPoint(std::size_t point);
@@ -85,7 +94,9 @@ class PathView final : public Page {
   [[nodiscard]] std::array<QPushButton*, 4> views() const;
   [[nodiscard]] std::size_t pointCount() const;
   [[nodiscard]] bool scrubsByTime() const;
+  /// Finds the class of each move anew.
   void recolour();
+  void showClasses();
   void showLegend();
   void showJobLegend(std::vector<LegendEntry>& entries) const;
   void setScale();
@@ -95,6 +106,7 @@ class PathView final : public Page {
   void showPauses();
   /// Classes without that of the gaps.
   [[nodiscard]] std::size_t pathClasses() const;
+  [[nodiscard]] const overview::PathClasses& classes() const { return m_shown->classes; }
   [[nodiscard]] QPen penOf(std::size_t one) const;
   [[nodiscard]] QString nameOf(std::size_t one) const;
 
@@ -105,8 +117,11 @@ class PathView final : public Page {
   feasibility::AccessModel m_access;
   bool m_ownFeeds = false;
   overview::PathColouring m_colouring{overview::PathColouring::Kind};
-  overview::PathClasses m_classes;  ///< without `ofPoint`
-  std::vector<bool> m_present;
+  std::shared_ptr<const overview::DrawnClasses> m_shown =
+      std::make_shared<const overview::DrawnClasses>();
+  Elsewhere m_elsewhere;
+  /// Number of the latest order for classes: older ones are not needed any more.
+  std::shared_ptr<std::atomic<unsigned>> m_ordered = std::make_shared<std::atomic<unsigned>>(0);
   std::optional<std::size_t> m_marked;
 
   PathCanvas* m_canvas;

@@ -29,12 +29,12 @@ constexpr double kCardRadiusPx = 10.0;
 /// The path, quiet: the way to it is what is looked at.
 PathCanvas::Style quietStyle(const overview::ProgramView& program, const QPalette& palette) {
   const ThemeColors& colors = themeColors(palette);
-  PathCanvas::Style style{overview::classesByKind(program), {}};
-  style.pens.assign(style.classes.count, QPen(colors.path, 1.2));
+  PathCanvas::Style style{program.kinds, {}};
+  style.pens.assign(style.classes->classes.count, QPen(colors.path, 1.2));
   QPen& rapid = style.pens[static_cast<std::size_t>(overview::KindClass::Rapid)];
   rapid.setColor(colors.rapid);
   rapid.setDashPattern({5.0, 4.0});
-  if (style.classes.hasGaps) {
+  if (style.classes->classes.hasGaps) {
     style.pens.back() = Qt::NoPen;
   }
   return style;

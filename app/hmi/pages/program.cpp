@@ -13,6 +13,7 @@
 #include "hmi/pages/pages.h"
 #include "hmi/run_controller.h"
 #include "hmi/settings.h"
+#include "session/background.h"
 #include "sources/open_source.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
@@ -221,6 +222,7 @@ void connectLive(ProgramPage* page, MachineModel* machine, Document* document, R
 }
 
 void connectPath(PathView* path, MachineModel* machine, Document* document, RunController* runs) {
+  path->setElsewhere(session::runInBackground);
   QObject::connect(document, &Document::judged, path, [path, document] {
     path->setOperatingPoint(document->findings().operatingPoint, document->findings().access,
                             document->settings().usesProgramFeeds());
@@ -254,9 +256,7 @@ QWidget* makeProgramPage(Settings* settings, Messages* messages, MachineModel* m
     page->setRunBegin(runs->runBegin());
     page->setExecuted(firstPoint);
   });
-  const auto showRun = [page, runs] {
-    page->setExecuted(runs->passed(), runs->runLine());
-  };
+  const auto showRun = [page, runs] { page->setExecuted(runs->passed(), runs->runLine()); };
   QObject::connect(runs, &RunController::updated, page, showRun);
   QObject::connect(runs, &RunController::jobChanged, page, showRun);
   QObject::connect(document, &Document::programPlaced, page, [showRun, document] {

@@ -38,7 +38,7 @@ int pixelsOf(const QImage& image, const QColor& color) {
 void show(PathCanvas& canvas, const std::shared_ptr<const overview::ProgramView>& view) {
   canvas.setProgram(view);
   const ThemeColors& colors = themeColors(canvas.palette());
-  canvas.setStyle({overview::classesByKind(*view),
+  canvas.setStyle({view->kinds,
                    {QPen(colors.rapid), QPen(colors.path), QPen(colors.path), QPen(colors.path)}});
 }
 
