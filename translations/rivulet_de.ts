@@ -3097,6 +3097,10 @@
         <translation>Dieses Verfahren der Veröffentlichung kennt keine nummerierten Fenster. Ist dieser Rechner zu spät, führt die Steuerung alte Punkte noch einmal aus. Um trotzdem zu starten, eintippen:
 %1</translation>
     </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Die Bahn wird vermessen.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -5229,6 +5233,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
         <translation>Alle Punkte werden gestreamt: Mit weniger lässt sich die Toleranz nicht einhalten.</translation>
+    </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Die Bahn wird vermessen.</translation>
     </message>
 </context>
 <context>

@@ -3097,6 +3097,10 @@
         <translation>Este método de la publicación no conoce ventanas numeradas. Si este ordenador se retrasa, el control ejecuta otra vez puntos antiguos. Para iniciar a pesar de ello, escribir:
 %1</translation>
     </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Se está midiendo la trayectoria.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -5229,6 +5233,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
         <translation>Se transmiten todos los puntos: con menos no se puede mantener la tolerancia.</translation>
+    </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Se está midiendo la trayectoria.</translation>
     </message>
 </context>
 <context>

@@ -3097,6 +3097,10 @@
         <translation>Cette méthode de la publication ne connaît pas de fenêtres numérotées. Si cet ordinateur est en retard, la commande exécute à nouveau d’anciens points. Pour démarrer malgré tout, taper&#xa0;:
 %1</translation>
     </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>La trajectoire est en cours de mesure.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -5229,6 +5233,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
         <translation>Tous les points sont transmis : avec moins, la tolérance ne peut pas être tenue.</translation>
+    </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>La trajectoire est en cours de mesure.</translation>
     </message>
 </context>
 <context>

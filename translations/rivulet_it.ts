@@ -3097,6 +3097,10 @@
         <translation>Questo metodo della pubblicazione non conosce finestre numerate. Se questo computer è in ritardo, il controllo esegue di nuovo punti vecchi. Per avviare comunque, digitare:
 %1</translation>
     </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Il percorso è in corso di misurazione.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -5229,6 +5233,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>All points are streamed: fewer cannot be kept within the tolerance.</source>
         <translation>Tutti i punti vengono trasmessi: con meno la tolleranza non si può mantenere.</translation>
+    </message>
+    <message>
+        <source>The path is being measured.</source>
+        <translation>Il percorso è in corso di misurazione.</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "report/calibration_json.h"
 #include "report/known_machine.h"
 #include "report/operating_point.h"
+#include "session/background.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/start/stop_bound.h"
 
@@ -31,6 +32,8 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
+/// One pass over so many takes the GUI thread a few milliseconds.
+constexpr std::size_t kPointsAtOnce = 50'000;
 
 }  // namespace
 
@@ -533,17 +536,20 @@ void Document::judge() {
   found.operatingPoint = report::operatingPointOf(settings);
   found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
   // The points of a live run come while it is in progress.
-  static_cast<preparation::Judged&>(found) =
-      preparation::judge(m_live ? nullptr : m_view.get(), settings, found.access, dryRunProblem());
+  const auto view = m_live ? nullptr : m_view;
+  found.isBeingMeasured =
+      view && !measure(found.operatingPoint.pointsPerLoop, settings.programFeeds.has_value());
+  static_cast<preparation::Judged&>(found) = preparation::judgeWith(
+      m_measured.distances, view.get(), settings, found.access, dryRunProblem());
   if (found.settingsError && found.settingsError->code == streaming::StreamError::FeedUnknown) {
     found.settingsError->context = tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
   }
   m_findings = std::move(found);
   checkJob();
   // The equations see averages; a feasible verdict is checked by a simulation before any start.
-  if (m_findings.verdict && m_findings.verdict->feasible) {
+  if (m_findings.isBeingMeasured || (m_findings.verdict && m_findings.verdict->feasible)) {
     m_findings.rehearsed = streaming::Rehearsed{};
-    if (m_rehearsed.outcome && rehearsalKey() == m_rehearsed.key) {
+    if (!m_findings.isBeingMeasured && m_rehearsed.outcome && rehearsalKey() == m_rehearsed.key) {
       takeRehearsal(m_rehearsed.outcome, m_rehearsed.key);
     }
   }
@@ -551,6 +557,29 @@ void Document::judge() {
   m_estimateTimer.start();
   Q_EMIT judged();
   Q_EMIT pausesChanged();
+}
+
+bool Document::measure(int pointsPerLoop, bool isTimed) {
+  const Measured wanted{m_view, pointsPerLoop, isTimed, {}, false};
+  if (!m_measured.isFor(wanted)) {
+    m_measured = wanted;
+    const auto distances = [wanted] {
+      return preparation::distancesOf(*wanted.view, wanted.pointsPerLoop, wanted.isTimed);
+    };
+    if (points().size() <= kPointsAtOnce || pointsPerLoop == m_view->distancesFor) {
+      m_measured.distances = distances();
+      m_measured.isDone = true;
+    } else {
+      session::inBackground(this, distances, [wanted](Document& self, const auto& found) {
+        if (self.m_measured.isFor(wanted)) {
+          self.m_measured.distances = found;
+          self.m_measured.isDone = true;
+          self.judge();
+        }
+      });
+    }
+  }
+  return m_measured.isDone;
 }
 
 session::TimeSettings Document::timeSettings() const {
@@ -581,7 +610,8 @@ std::string Document::rehearsalKey() const {
 }
 
 void Document::rehearse() {
-  if (!m_findings.rehearsed || m_findings.rehearsed->isDone || m_motion.isRunning) {
+  if (!m_findings.rehearsed || m_findings.rehearsed->isDone || m_findings.isBeingMeasured ||
+      m_motion.isRunning) {
     return;
   }
   const std::string key = rehearsalKey();
@@ -591,19 +621,9 @@ void Document::rehearse() {
   m_rehearsed.key = key;
   m_rehearsed.outcome.reset();
   session::RehearsalJob job;
-  const base::MethodKind method = m_settings.parameters.method;
-  const std::size_t tightest =
-      feasibility::tightestPlace(*m_findings.distances, method).point.value;
-  job.programPoints = points().size();
-  std::size_t first = 0;
-  // Of a large program, only what is looked at is copied.
-  job.points = forecast::stretchOf(
-      points(), tightest,
-      base::isPublished(method) ? job.programPoints : session::kRehearsedPointsMax, &first);
-  for (std::size_t i = 0; i < job.points.size(); ++i) {
-    job.points[i].feedMmPerS = m_settings.usesProgramFeeds() ? commandedMmPerS(first + i) : 0.0;
-  }
-  job.tightest = tightest - first;
+  job.points = {m_view, &m_view->points.points};
+  job.tightest =
+      feasibility::tightestPlace(*m_findings.distances, m_settings.parameters.method).point.value;
   job.settings = runSettings();
   job.machine = m_machine;
   job.access = m_findings.access.measured;

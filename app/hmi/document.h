@@ -42,6 +42,8 @@ struct Findings : preparation::Judged {
   feasibility::OperatingPoint operatingPoint;
   feasibility::AccessModel access;
   widgets::AccessSource source;  ///< of `access`
+  /// The distances of the path are being found: there is no verdict yet.
+  bool isBeingMeasured = false;
   /// The simulation of the program with these settings; nothing: there is no verdict to check.
   std::optional<streaming::Rehearsed> rehearsed;
   std::shared_ptr<const session::RehearsalOutcome> rehearsal;  ///< null: not done (yet)
@@ -217,6 +219,9 @@ class Document final : public QObject {
   /// What access costs with the present settings. @param source  its form is set
   [[nodiscard]] feasibility::AccessModel accessModel(widgets::AccessSource& source) const;
   void chooseFeedCells(const feasibility::AccessModel& access);
+  /// Finds the distances of the program, those of a long one in the background: they are judged
+  /// when they are there. @return whether they are
+  bool measure(int pointsPerLoop, bool isTimed);
   void estimateTimes();
   /// Everything that the simulation depends on.
   [[nodiscard]] std::string rehearsalKey() const;
@@ -267,6 +272,18 @@ class Document final : public QObject {
     bool feedPerPoint = false;
   };
   FeedCells m_feedCells;
+  /// The distances that the verdict takes.
+  struct Measured {
+    std::shared_ptr<const overview::ProgramView> view;
+    int pointsPerLoop = 0;
+    bool isTimed = false;
+    std::optional<feasibility::ProgramDistances> distances;
+    bool isDone = false;
+    [[nodiscard]] bool isFor(const Measured& other) const {
+      return view == other.view && pointsPerLoop == other.pointsPerLoop && isTimed == other.isTimed;
+    }
+  };
+  Measured m_measured;
   std::shared_ptr<const overview::ProgramView> m_view;
   QString m_path;
   QString m_requestedPath;

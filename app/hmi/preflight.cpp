@@ -40,24 +40,13 @@ namespace {
 
 /// Feeds closer than this are the same, mm/min.
 constexpr double kSameFeedMmPerMin = 0.5;
+/// The box of a path is known to about this.
+constexpr double kTravelStepMm = 0.001;
 
 QString positionText(const base::Vec3& positionMm) {
   return QStringLiteral("X\u00A0%1 Y\u00A0%2 Z\u00A0%3")
       .arg(widgets::numberText(positionMm.x, 3), widgets::numberText(positionMm.y, 3),
            widgets::numberText(positionMm.z, 3));
-}
-
-/// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
-std::optional<std::pair<double, double>> programFeeds(const overview::ProgramView& view) {
-  std::optional<std::pair<double, double>> range;
-  for (std::size_t i = 0; i < view.points.points.size(); ++i) {
-    const double feed = view.programmedMmPerS(i);
-    if (feed > 0.0 && view.points.points[i].kind != gcode::MoveKind::Rapid) {
-      range = range ? std::pair(std::min(range->first, feed), std::max(range->second, feed))
-                    : std::pair(feed, feed);
-    }
-  }
-  return range;
 }
 
 struct StopTexts {
@@ -625,12 +614,14 @@ std::optional<streaming::CutOnTheWay> Preflight::findCut() const {
                                                   *m_document.jobMachine(), {*toolMm, {}}, *cut)
                           : std::nullopt;
   }
-  const auto& points = m_document.points();
+  if (m_path.view != m_document.view()) {
+    m_path = {m_document.view(), streaming::cutOf(m_document.points())};
+  }
   return streaming::cutOnTheWay(
       *toolMm,
       isForChosenLine() ? m_runs.place()->positionMm
                         : streaming::firstPlace(m_document.program()->trajectory, *toolMm),
-      streaming::cutOf(points));
+      m_path.cut);
 }
 
 std::optional<Preflight::Raise> Preflight::raise() const {
@@ -643,7 +634,7 @@ std::optional<Preflight::Raise> Preflight::raise() const {
 
 double Preflight::carefulMmPerS() const {
   const streaming::StreamSettings& settings = m_document.settings();
-  const auto feeds = programFeeds(*m_document.view());
+  const auto feeds = m_document.view()->cuttingMmPerS;
   return settings.usesProgramFeeds() && feeds
              ? feeds->first * std::min(1.0, settings.overrideFactor)
              : m_document.runSettings().feedMmPerS;
@@ -788,13 +779,10 @@ PreflightItem Preflight::travelItem() const {
   if (m_document.isJob()) {
     return hazardItem();
   }
-  const std::vector<gcode::StreamPoint>& points = m_document.points();
+  const overview::SpaceBox& box = m_document.view()->levels.box();
   base::Vec3 sizeMm;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(),
-        [axis](const auto& a, const auto& b) { return a.positionMm[axis] < b.positionMm[axis]; });
-    sizeMm.set(axis, points.empty() ? 0.0 : high->positionMm[axis] - low->positionMm[axis]);
+    sizeMm.set(axis, box.high[axis] - box.low[axis]);
   }
   return travelItem(sizeMm);
 }
@@ -816,7 +804,7 @@ PreflightItem Preflight::travelItem(const base::Vec3& sizesMm) const {
     const double travelMm = machine->axes[axis].positionMmMax - machine->axes[axis].positionMmMin;
     const QLatin1Char name(base::kAxisNames[axis]);
     sizes.push_back(name + QStringLiteral("\u00A0%1").arg(widgets::numberText(sizeMm, 1)));
-    if (sizeMm > travelMm) {
+    if (sizeMm > travelMm + kTravelStepMm) {
       tooLong.push_back(tr("%1 needs %2, the machine has %3")
                             .arg(name)
                             .arg(widgets::lengthText(sizeMm, 1), widgets::lengthText(travelMm, 1)));
@@ -954,7 +942,7 @@ PreflightItem Preflight::stateItem() const {
 PreflightItem Preflight::programFeedItem() const {
   PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0, true};
   const double overrideFactor = m_document.settings().overrideFactor;
-  const auto programmed = programFeeds(*m_document.view());
+  const auto programmed = m_document.view()->cuttingMmPerS;
   const QString percent = percentText(overrideFactor);
   if (!programmed) {
     item.text = tr("The feeds of the program at %1. It names none.").arg(percent);
@@ -992,7 +980,7 @@ PreflightItem Preflight::feedItem() const {
   }
   const double feedMmPerS = m_document.settings().feedMmPerS;
   PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0, true};
-  const auto programmed = programFeeds(*m_document.view());
+  const auto programmed = m_document.view()->cuttingMmPerS;
   const bool isPublished = base::isPublished(m_document.settings().parameters.method);
   const QString fixed =
       (isPublished ? tr("%1 for every block: this method has one feed, as it was published")
@@ -1023,7 +1011,10 @@ PreflightItem Preflight::feedItem() const {
 PreflightItem Preflight::methodItem() const {
   const Findings& findings = m_document.findings();
   PreflightItem item{Status::Plain, tr("Verdict"), {}, {}, 0};
-  if (!findings.verdict) {
+  if (findings.isBeingMeasured) {
+    item.status = Status::Busy;
+    item.text = tr("The path is being measured.");
+  } else if (!findings.verdict) {
     item.status = Status::Unknown;
     item.text = tr("There is no verdict.");
   } else if (findings.verdict->waits) {
@@ -1234,7 +1225,7 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == ReloadProgram) {
     m_document.readAgain(m_document.reading());
-  } else if (const auto feeds = programFeeds(*m_document.view()); feeds) {
+  } else if (const auto feeds = m_document.view()->cuttingMmPerS; feeds) {
     streaming::StreamSettings settings = m_document.settings();
     if (settings.usesProgramFeeds()) {
       settings.overrideFactor = 1.0;

@@ -17,20 +17,20 @@ namespace {
 /// A single point has no distances.
 constexpr std::size_t kPointsMin = 2;
 
+}  // namespace
+
 std::optional<feasibility::ProgramDistances> distancesOf(const overview::ProgramView& view,
-                                                         int perLoop, bool isTimed) {
+                                                         int pointsPerLoop, bool isTimed) {
   if (view.points.points.size() < kPointsMin) {
     return std::nullopt;
   }
-  if (view.distancesFor == perLoop) {
+  if (view.distancesFor == pointsPerLoop) {
     return isTimed ? view.timedDistances : view.distances;
   }
-  return perLoop >= 2 ? feasibility::programDistances(view.points.points, perLoop,
-                                                      isTimed ? view.fastestMmPerS : 0.0)
-                      : std::optional<feasibility::ProgramDistances>();
+  return pointsPerLoop >= 2 ? feasibility::programDistances(view.points.points, pointsPerLoop,
+                                                            isTimed ? view.fastestMmPerS : 0.0)
+                            : std::optional<feasibility::ProgramDistances>();
 }
-
-}  // namespace
 
 streaming::RunSettings runSettings(
     const streaming::StreamSettings& wanted, const templates::TemplateParameters& parameters,
@@ -78,6 +78,16 @@ streaming::StreamSettings settingsOfRun(const streaming::RunSettings& run,
 
 Judged judge(const overview::ProgramView* view, const streaming::RunSettings& settings,
              const feasibility::AccessModel& access, std::optional<base::Error> problem) {
+  return judgeWith(view != nullptr
+                       ? distancesOf(*view, report::operatingPointOf(settings).pointsPerLoop,
+                                     settings.programFeeds.has_value())
+                       : std::nullopt,
+                   view, settings, access, std::move(problem));
+}
+
+Judged judgeWith(const std::optional<feasibility::ProgramDistances>& distances,
+                 const overview::ProgramView* view, const streaming::RunSettings& settings,
+                 const feasibility::AccessModel& access, std::optional<base::Error> problem) {
   Judged found;
   const feasibility::OperatingPoint point = report::operatingPointOf(settings);
   if (auto flexible = templates::makeProgram(settings.parameters)) {
@@ -91,7 +101,7 @@ Judged judge(const overview::ProgramView* view, const streaming::RunSettings& se
   if (view == nullptr) {
     return found;
   }
-  found.distances = distancesOf(*view, point.pointsPerLoop, settings.programFeeds.has_value());
+  found.distances = distances;
   if (!found.settingsError) {
     if (const auto known = streaming::requireFeeds(view->lineWithoutFeed, settings); !known) {
       found.settingsError = known.error();

@@ -49,4 +49,16 @@ struct Judged {
                            const feasibility::AccessModel& access,
                            std::optional<base::Error> problem = {});
 
+/// What the verdict takes of a path: O(points), unless the view has them.
+/// @param isTimed  the points have feeds of their own
+/// @return nothing: no verdict can be had with so few points
+[[nodiscard]] std::optional<feasibility::ProgramDistances> distancesOf(
+    const overview::ProgramView& view, int pointsPerLoop, bool isTimed);
+/// The same as `judge`, with the distances of the view.
+[[nodiscard]] Judged judgeWith(const std::optional<feasibility::ProgramDistances>& distances,
+                               const overview::ProgramView* view,
+                               const streaming::RunSettings& settings,
+                               const feasibility::AccessModel& access,
+                               std::optional<base::Error> problem);
+
 }  // namespace rivulet::preparation

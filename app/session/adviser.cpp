@@ -40,18 +40,6 @@ feasibility::OperatingPoint completed(const AdviceJob& job,
   return report::operatingPointOf(settings);
 }
 
-/// At the override of the settings. @param points  with their feeds at 100 %
-void applyOverride(std::vector<gcode::StreamPoint>& points,
-                   const streaming::RunSettings& settings) {
-  for (gcode::StreamPoint& point : points) {
-    gcode::TrajectoryPoint asWritten;
-    asWritten.kind = point.kind;
-    asWritten.feedMmPerS = point.feedMmPerS;
-    point.feedMmPerS =
-        settings.programFeeds ? gcode::commandedMmPerS(asWritten, *settings.programFeeds) : 0.0;
-  }
-}
-
 feasibility::ProgramDistances distancesOf(const AdviceJob& job,
                                           const feasibility::OperatingPoint& point) {
   return feasibility::programDistances(job.view->points.points, point.pointsPerLoop,
@@ -71,14 +59,11 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
                                     double feedMmPerSMax, const std::atomic<bool>& stop) {
   RehearsalJob rehearsal;
   const feasibility::ProgramDistances distances = distancesOf(job, point);
-  const feasibility::Place& tightest = feasibility::tightestPlace(distances, point.method);
-  // Of a large program, only what is simulated is copied.
-  rehearsal.points =
-      forecast::stretchOf(job.view->points.points, tightest.point.value, kRehearsedPointsMax);
+  rehearsal.points = {job.view, &job.view->points.points};
+  rehearsal.tightest = feasibility::tightestPlace(distances, point.method).point.value;
   feasibility::OperatingPoint at = point;
   at.feedMmPerS = feedMmPerSMax;
   rehearsal.settings = settingsAt(job, at);
-  applyOverride(rehearsal.points, rehearsal.settings);
   rehearsal.machine = job.machine;
   rehearsal.access = job.question.access.measured;
   const RehearsalOutcome outcome = rehearse(rehearsal, stop);

@@ -38,9 +38,11 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
     const feasibility::OperatingPoint point = report::operatingPointOf(job.settings);
     feasibility::AccessModel access;
     access.measured = job.access;
+    std::vector<gcode::StreamPoint> points = *job.points;
+    forecast::commandFeeds(points, job.settings.programFeeds);
     const auto verdict = forecast::judgeOn(
-        machine, job.points, point,
-        feasibility::programDistances(job.points, point.pointsPerLoop, point.feedMmPerS), access);
+        machine, points, point,
+        feasibility::programDistances(points, point.pointsPerLoop, point.feedMmPerS), access);
     if (verdict) {
       outcome.verdict = *verdict;
     }
@@ -49,7 +51,8 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
     forecast::charge(machine.access, *job.access);
   }
   forecast::RegionRequest request;
-  request.points = forecast::stretchOf(job.points, job.tightest, kRehearsedPointsMax);
+  request.points = forecast::stretchOf(*job.points, job.tightest, kRehearsedPointsMax);
+  forecast::commandFeeds(request.points, job.settings.programFeeds);
   request.settings = job.settings;
   request.settings.resume.reset();
   request.machine = machine;
@@ -57,7 +60,7 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
   request.abscissas = {static_cast<double>(job.settings.parameters.pointsPerLoop)};
   request.seedsPerPoint = kRuns;
   outcome.points = request.points.size();
-  outcome.isWhole = outcome.points == std::max(job.points.size(), job.programPoints);
+  outcome.isWhole = outcome.points == job.points->size();
   const auto at = [&](double feedMmPerS) {
     SameThread executor;
     request.feedsMmPerS = {feedMmPerS};

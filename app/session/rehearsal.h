@@ -24,11 +24,9 @@
 namespace rivulet::session {
 
 struct RehearsalJob {
-  /// At least 2. Methods of [P1], which are judged as well: of the whole program. Others: of
-  /// `forecast::stretchOf` it, around the tightest place, at least `kRehearsedPointsMax` of them.
-  std::vector<gcode::StreamPoint> points;
-  std::size_t tightest = 0;         ///< index, in `points`, of the point where it is most difficult
-  std::size_t programPoints = 0;    ///< of the whole program; 0: that is `points`
+  /// Of the whole program, at least 2, with their feeds at 100 %.
+  std::shared_ptr<const std::vector<gcode::StreamPoint>> points;
+  std::size_t tightest = 0;         ///< index of the point where it is most difficult
   streaming::RunSettings settings;  ///< with the axes the program turns
   /// The machine it is simulated on; null: that of the paper.
   std::shared_ptr<const machine::MachineConfig> machine{};

@@ -183,6 +183,16 @@ std::vector<gcode::StreamPoint> stretchOf(const std::vector<gcode::StreamPoint>&
   return {begin, begin + static_cast<std::ptrdiff_t>(length)};
 }
 
+void commandFeeds(std::vector<gcode::StreamPoint>& points,
+                  const std::optional<gcode::ProgramFeeds>& feeds) {
+  for (gcode::StreamPoint& point : points) {
+    gcode::TrajectoryPoint asWritten;
+    asWritten.kind = point.kind;
+    asWritten.feedMmPerS = point.feedMmPerS;
+    point.feedMmPerS = feeds ? gcode::commandedMmPerS(asWritten, *feeds) : 0.0;
+  }
+}
+
 base::Vec3 regionStartMm(const std::vector<gcode::StreamPoint>& points, double deltaMm) {
   RIVULET_ASSERT(!points.empty());
   return points.front().positionMm + base::Vec3{0.0, 0.0, kApproachMm + 2.0 * deltaMm};

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "base/result.h"
 #include "feasibility/probability.h"
 #include "feasibility/sweep.h"
+#include "gcode/feeds.h"
 #include "streaming/simulation/scenario.h"
 
 namespace rivulet::forecast {
@@ -45,6 +47,11 @@ enum class RunFate {
 [[nodiscard]] std::vector<gcode::StreamPoint> stretchOf(
     const std::vector<gcode::StreamPoint>& points, std::size_t around, std::size_t count,
     std::size_t* first = nullptr);
+
+/// The feeds of the program at 100 % become those that are commanded.
+/// @param feeds  nothing: the run has one feed for all, and the points none
+void commandFeeds(std::vector<gcode::StreamPoint>& points,
+                  const std::optional<gcode::ProgramFeeds>& feeds);
 
 /// The tool's position before a run of a region: a short distance above the first point. A section
 /// begins somewhere in the program, and the move to it is not of interest. But if the tool were

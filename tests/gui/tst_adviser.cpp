@@ -77,7 +77,7 @@ class TestAdviser : public QObject {
     QVERIFY(!list.empty());
     for (const feasibility::Advice& advice : list) {
       session::RehearsalJob rehearsal;
-      rehearsal.points = asked.view->points.points;
+      rehearsal.points = {asked.view, &asked.view->points.points};
       rehearsal.settings = asked.settings;
       rehearsal.settings.parameters.method = advice.after.method;
       rehearsal.settings.parameters.pointsPerLoop = advice.after.pointsPerLoop;

@@ -21,7 +21,8 @@ namespace {
 RehearsalJob jobOf(base::MethodKind method, int points, double deltaMm, double feedMmPerMin) {
   const auto program = gcode::loadProgram(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
   RehearsalJob job;
-  job.points = gcode::streamPoints(program->trajectory, {}).points;
+  job.points = std::make_shared<const std::vector<gcode::StreamPoint>>(
+      gcode::streamPoints(program->trajectory, {}).points);
   job.settings.parameters.method = method;
   job.settings.parameters.pointsPerLoop = points;
   job.settings.deltaMm = deltaMm;
@@ -53,20 +54,21 @@ class TestRehearsal : public QObject {
   /// reach. The equations hold.
   void aBadPointFailsThoughTheEquationsHold() {
     RehearsalJob job = jobOf(base::MethodKind::Position, 7, 0.3, 150.0);
-    job.points.clear();
+    std::vector<gcode::StreamPoint> points;
     for (int i = 0; i < 200; ++i) {
       const double angle = 0.015 * i;
       gcode::StreamPoint point;
       point.positionMm = {10.0 * std::cos(angle), 10.0 * std::sin(angle), 0.0};
-      job.points.push_back(point);
+      points.push_back(point);
     }
+    job.points = std::make_shared<const std::vector<gcode::StreamPoint>>(points);
     feasibility::OperatingPoint point;
     point.method = base::MethodKind::Position;
     point.pointsPerLoop = 7;
     point.deltaMm = job.settings.deltaMm;
     point.feedMmPerS = job.settings.feedMmPerS;
     const auto verdict =
-        feasibility::judge(point, feasibility::programDistances(job.points, 7), {});
+        feasibility::judge(point, feasibility::programDistances(*job.points, 7), {});
     QVERIFY(verdict && verdict->feasible);
     const RehearsalOutcome outcome = outcomeOf(job);
     QVERIFY(outcome.verdict && !outcome.verdict->feasible);

@@ -61,11 +61,8 @@ session::RegionJob jobOf(const Document& document, const widgets::SimulationWant
   job.settings.programFeeds = settings.programFeeds;
   const feasibility::Place& tightest =
       feasibility::tightestPlace(*document.findings().distances, job.settings.parameters.method);
-  std::vector<gcode::StreamPoint> points = document.points();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i].feedMmPerS = settings.programFeeds ? document.commandedMmPerS(i) : 0.0;
-  }
-  job.points = forecast::stretchOf(points, tightest.point.value, kSimulatedPoints);
+  job.points = forecast::stretchOf(document.points(), tightest.point.value, kSimulatedPoints);
+  forecast::commandFeeds(job.points, settings.programFeeds);
   job.machine = document.machine();
   job.axis = wanted.axis;
   job.feedsMmPerS = wanted.feedsMmPerS;

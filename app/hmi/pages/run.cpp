@@ -68,6 +68,9 @@ struct RunTexts {
     if (!document.program()->isStreamable()) {
       return widgets::blockedText(streaming::programBlocked(*document.program()));
     }
+    if (findings.isBeingMeasured) {
+      return tr("The path is being measured.");
+    }
     return findings.verdict ? std::nullopt
                             : std::optional(tr("The program has fewer than two points."));
   }
