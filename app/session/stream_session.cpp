@@ -15,7 +15,7 @@ namespace {
 
 /// How often the window takes events from the streaming thread: while that is busy, and while it
 /// only watches the machine.
-constexpr int kDrainMs = 33;
+constexpr int kDrainMs = 50;
 constexpr int kIdleDrainMs = 100;
 
 }  // namespace

@@ -100,6 +100,10 @@ void StatusLabel::setWordWrap(bool wrap) {
   layout()->setAlignment(m_icon, wrap ? Qt::AlignTop : Qt::AlignVCenter);
 }
 
+void StatusLabel::setFigure() {
+  m_text->setTextInteractionFlags(Qt::NoTextInteraction);
+}
+
 void StatusLabel::setOutdated(bool isOutdated) {
   if (isOutdated != m_isOutdated) {
     m_isOutdated = isOutdated;

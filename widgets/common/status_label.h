@@ -44,6 +44,8 @@ class StatusLabel final : public QWidget {
   /// Size of the text in points and whether it is bold; the icon follows.
   void setEmphasis(qreal pointSize, bool bold);
   void setWordWrap(bool wrap);
+  /// The text cannot be copied: cheaper for one that changes many times a second.
+  void setFigure();
   /// What is shown may not be true any more: grey and crossed out.
   void setOutdated(bool isOutdated);
 

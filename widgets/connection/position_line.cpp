@@ -85,7 +85,7 @@ PositionLine::PositionLine(QWidget* parent)
   }
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     Readout& readout = m_readouts[i];
-    readout = {nullptr, new QLabel(this), makeValueLabel(this), new QLabel(this)};
+    readout = {nullptr, new QLabel(this), new QLabel(this), new QLabel(this)};
     if (i < kAxisReadouts) {
       readout.name->setText(QString(
           QLatin1Char(i < base::kAxisCount ? base::kAxisNames[i]
@@ -104,7 +104,7 @@ PositionLine::PositionLine(QWidget* parent)
     m_upper->addWidget(readout.group);
   }
   for (Equipment* const shown : {&m_tool, &m_spindle}) {
-    *shown = {new QWidget(this), new QLabel(this), makeValueLabel(this), new ElidedLabel(1, this)};
+    *shown = {new QWidget(this), new QLabel(this), new QLabel(this), new ElidedLabel(1, this)};
     shown->value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     shown->detail->setAlignment(Qt::AlignRight | Qt::AlignTop);
     auto* grid = new QGridLayout(shown->group);
@@ -502,26 +502,35 @@ void PositionLine::fitFonts() {
     return QFontMetrics(name->font()).horizontalAdvance(name->text()) + kGapPx +
            QFontMetrics(font).horizontalAdvance(longest);
   };
+  const int detailOfFeedPx =
+      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" \u00B7 ") +
+                                kLongestOverride + QStringLiteral(" %")) +
+      2;
+  const auto heightOf = [&](bool isInUpper) { return isInUpper ? rows.upperPx : rows.lowerPx; };
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
+    const Readout& readout = m_readouts[i];
     const QFont& value = i == kFeed ? others : digits;
-    setFonts(m_readouts[i], value);
-    const bool isFirst = i == 0 || (m_isInTwoRows && i == kFeed);
-    setGap(m_readouts[i].group, isFirst ? 0 : fit.gapPx, fit.gapPx);
-    // The same width whatever the value is: digits that move cannot be read.
-    m_readouts[i].value->setFixedWidth(
-        QFontMetrics(value).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
+    setFonts(readout, value);
+    const int leftPx = i == 0 || (m_isInTwoRows && i == kFeed) ? 0 : fit.gapPx;
+    setGap(readout.group, leftPx, fit.gapPx);
+    // The same size whatever the value is: digits that move cannot be read, and the window would be
+    // laid out at each reading.
+    const int valuePx =
+        QFontMetrics(value).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2;
+    readout.value->setFixedWidth(valuePx);
+    readout.group->setFixedSize(std::max(readout.name->sizeHint().width() + kGapPx + valuePx,
+                                         i == kFeed ? detailOfFeedPx : 0) +
+                                    leftPx + fit.gapPx,
+                                heightOf(i != kFeed || !m_isInTwoRows));
   }
   m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
                withName(m_readouts.front().name, digits, kLongestAxis);
-  m_readouts[kFeed].detail->setMinimumWidth(
-      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" \u00B7 ") +
-                                kLongestOverride + QStringLiteral(" %")) +
-      2);
   const auto setWidth = [&](const Equipment& shown, const QString& longest, int detailPx) {
     setFonts(shown, others);
     setGap(shown.group, fit.gapPx, fit.gapPx);
-    shown.group->setFixedWidth(std::max(withName(shown.name, others, longest), detailPx) +
-                               2 * fit.gapPx + 2);
+    shown.group->setFixedSize(
+        std::max(withName(shown.name, others, longest), detailPx) + 2 * fit.gapPx + 2,
+        heightOf(!m_isInTwoRows));
   };
   setWidth(m_tool, kLongestTool, edgePx(small));
   setWidth(m_spindle, kLongestSpeed, setPx(small));

@@ -124,8 +124,10 @@ void CorrectionPanel::setRunning(bool running) {
 }
 
 void CorrectionPanel::setCorrection(const std::optional<streaming::Correction>& correction) {
-  m_correction = correction;
-  showValues();
+  if (correction != m_correction) {  // it is told with each update of a run
+    m_correction = correction;
+    showValues();
+  }
 }
 
 void CorrectionPanel::setLiveSource(const LiveSourceView& view) {

@@ -198,6 +198,7 @@ void RunPanel::buildFigures() {
     m_shown[figure].name = label({.text = kNames[figure], .isMuted = true});
     m_shown[figure].value = status();
     m_shown[figure].value->setStatus(Status::Plain, noValue());
+    m_shown[figure].value->setFigure();
     auto* pair = inRow({m_shown[figure].name, m_shown[figure].value}, m_shown[figure].area,
                        QMargins(0, 0, 0, 0));
     pair->setSpacing(kPairGapPx);
@@ -667,8 +668,8 @@ void RunPanel::showFigures() {
   fitFigures();
 }
 
-void RunPanel::showFigure(Figure figure, const QString& value, const QString& hint) {
-  m_shown[figure].value->setStatus(Status::Plain, value.isEmpty() ? noValue() : value);
+void RunPanel::showFigure(Figure figure, const QString& value, const QString& hint, Status status) {
+  m_shown[figure].value->setStatus(status, value.isEmpty() ? noValue() : value);
   m_shown[figure].area->setToolTip(hint);
 }
 
@@ -794,11 +795,10 @@ void RunPanel::showStream() {
                "of the access time")
                 .arg(millisecondsText(*m_update.margin));
   }
-  showFigure(Stream, moves, hint);
-  m_shown[Stream].value->setStatus(!isKnown ? Status::Plain
-                                   : isLate ? Status::Attention
-                                            : Status::Good,
-                                   moves);
+  showFigure(Stream, moves, hint,
+             !isKnown ? Status::Plain
+             : isLate ? Status::Attention
+                      : Status::Good);
 }
 
 void RunPanel::fitFigures() {
@@ -808,7 +808,8 @@ void RunPanel::fitFigures() {
     // Not what the layout remembers: the font may have changed since.
     const int widthPx = m_shown[figure].name->sizeHint().width() + kPairGapPx +
                         m_shown[figure].value->layout()->totalSizeHint().width();
-    area->setFixedWidth(widthPx);
+    // Of a fixed size, so that a new value does not lay out the window.
+    area->setFixedSize(widthPx, area->layout()->totalSizeHint().height());
     const int needed = widthPx + kFigureGapPx;
     area->setVisible(needed <= room);
     room -= area->isVisibleTo(this) ? needed : 0;

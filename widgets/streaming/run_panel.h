@@ -135,7 +135,8 @@ class RunPanel final : public Page {
   /// What has been executed, sent and accepted, of the points of this run.
   [[nodiscard]] streaming::Counters shownCounters() const;
   /// @param value  empty: not known  @param hint  what it is, or why it is not known
-  void showFigure(Figure figure, const QString& value, const QString& hint);
+  void showFigure(Figure figure, const QString& value, const QString& hint,
+                  Status status = Status::Plain);
   /// Hides the less important figures until the others fit.
   void fitFigures();
   [[nodiscard]] QString stopText() const;
