@@ -20,6 +20,7 @@
 #include "permission/permission.h"
 #include "run/factor_feed.h"
 #include "run/stands_within.h"
+#include "session/background.h"
 #include "streaming/start/first_move.h"
 #include "streaming/start/start_policy.h"
 #include "streaming/start/stop_bound.h"
@@ -161,6 +162,24 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
   connect(&m_runs, &RunController::resumeForgotten, this, &Preflight::close);
   connect(&m_document, &Document::programLoaded, this, &Preflight::close);
   connect(&m_runs, &RunController::raised, this, &Preflight::open);
+  connect(&m_document, &Document::programLoaded, this, &Preflight::findPath);
+  connect(&m_document, &Document::programPlaced, this, &Preflight::findPath);
+}
+
+void Preflight::findPath() {
+  const auto view = m_document.view();
+  if (view && !m_document.live()) {
+    session::inBackground(
+        this,
+        [view] {
+          return Path{view, streaming::cutOf(view->points.points)};
+        },
+        [](Preflight& self, const Path& path) {
+          if (path.view == self.m_document.view()) {
+            self.m_path = path;
+          }
+        });
+  }
 }
 
 void Preflight::open() {
@@ -614,7 +633,7 @@ std::optional<streaming::CutOnTheWay> Preflight::findCut() const {
                                                   *m_document.jobMachine(), {*toolMm, {}}, *cut)
                           : std::nullopt;
   }
-  if (m_path.view != m_document.view()) {
+  if (m_path.view != m_document.view()) {  // not yet
     m_path = {m_document.view(), streaming::cutOf(m_document.points())};
   }
   return streaming::cutOnTheWay(

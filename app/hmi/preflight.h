@@ -139,6 +139,8 @@ class Preflight final : public QObject {
   [[nodiscard]] const std::optional<streaming::CutOnTheWay>& cutOnTheWay() const;
   /// The same, anew: a pass over the program.
   [[nodiscard]] std::optional<streaming::CutOnTheWay> findCut() const;
+  /// Before it is asked for, in the background.
+  void findPath();
   void change();
   /// @param name  in the audit trail of the start
   void confirm(bool& question, std::string_view name);
