@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "base/units.h"
 #include "widgets/common/elided_label.h"
@@ -506,35 +507,48 @@ void PositionLine::fitFonts() {
       details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" \u00B7 ") +
                                 kLongestOverride + QStringLiteral(" %")) +
       2;
-  const auto heightOf = [&](bool isInUpper) { return isInUpper ? rows.upperPx : rows.lowerPx; };
+  std::vector<std::pair<QWidget*, int>> widths;  // of the groups
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     const Readout& readout = m_readouts[i];
     const QFont& value = i == kFeed ? others : digits;
     setFonts(readout, value);
     const int leftPx = i == 0 || (m_isInTwoRows && i == kFeed) ? 0 : fit.gapPx;
     setGap(readout.group, leftPx, fit.gapPx);
-    // The same size whatever the value is: digits that move cannot be read, and the window would be
-    // laid out at each reading.
+    // The same width whatever the value is: digits that move cannot be read.
     const int valuePx =
         QFontMetrics(value).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2;
     readout.value->setFixedWidth(valuePx);
-    readout.group->setFixedSize(std::max(readout.name->sizeHint().width() + kGapPx + valuePx,
-                                         i == kFeed ? detailOfFeedPx : 0) +
-                                    leftPx + fit.gapPx,
-                                heightOf(i != kFeed || !m_isInTwoRows));
+    const int contentPx = std::max(readout.name->sizeHint().width() + kGapPx + valuePx,
+                                   i == kFeed ? detailOfFeedPx : 0);
+    widths.emplace_back(readout.group, leftPx + contentPx + fit.gapPx);
   }
   m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
                withName(m_readouts.front().name, digits, kLongestAxis);
   const auto setWidth = [&](const Equipment& shown, const QString& longest, int detailPx) {
     setFonts(shown, others);
     setGap(shown.group, fit.gapPx, fit.gapPx);
-    shown.group->setFixedSize(
-        std::max(withName(shown.name, others, longest), detailPx) + 2 * fit.gapPx + 2,
-        heightOf(!m_isInTwoRows));
+    widths.emplace_back(
+        shown.group, std::max(withName(shown.name, others, longest), detailPx) + 2 * fit.gapPx + 2);
   };
   setWidth(m_tool, kLongestTool, edgePx(small));
   setWidth(m_spindle, kLongestSpeed, setPx(small));
+  fixGroups(widths, rows);
   showAll();
+}
+
+void PositionLine::fixGroups(const std::vector<std::pair<QWidget*, int>>& widths, Heights rows) {
+  const auto isInLower = [this](QWidget* group) { return m_lower->indexOf(group) >= 0; };
+  int lowerPx = rows.lowerPx;
+  for (const auto& [group, widthPx] : widths) {
+    if (isInLower(group)) {
+      lowerPx = std::max(lowerPx, group->layout()->totalMinimumSize().height());
+    }
+  }
+  const int upperPx = rows.upperPx + rows.lowerPx - lowerPx;
+  // No value changes the size of a group, so none lays out the window.
+  for (const auto& [group, widthPx] : widths) {
+    group->setFixedSize(widthPx, isInLower(group) ? lowerPx : upperPx);
+  }
 }
 
 PositionLine::Heights PositionLine::heights(bool inTwoRows) const {

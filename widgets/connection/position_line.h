@@ -13,6 +13,8 @@
 #pragma once
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "widgets/common/page.h"
 #include "widgets/connection/machine_view.h"
@@ -80,6 +82,8 @@ class PositionLine final : public Page {
     int lowerPx = 0;
   };
   [[nodiscard]] Heights heights(bool inTwoRows) const;
+  /// @param widths  of the groups, px
+  void fixGroups(const std::vector<std::pair<QWidget*, int>>& widths, Heights rows);
   void setRows(bool areTwo);
   [[nodiscard]] bool isShown(std::size_t readout) const;
   /// Of tool and spindle beside their values.
