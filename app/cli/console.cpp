@@ -10,6 +10,7 @@
 #include "platform/log.h"
 #include "report/report_json.h"
 #include "streaming/run/run.h"
+#include "templates/target.h"
 #include "trace_fetch/http.h"
 
 namespace rivulet::cli {
@@ -84,9 +85,9 @@ templates::TemplateParameters OperatingOptions::parameters() const {
     parameters.factorMost = factor[1];
   }
   parameters.windowsAhead = windowsAhead;
-  parameters.target = templates::targetFromName(control).value_or(parameters.target);
-  // Others have no such thing; the planner of LinuxCNC brakes when its queue ends.
-  parameters.slowDown = !noSlowDown && parameters.target == templates::TargetControl::Sinumerik;
+  parameters.slowDown = !noSlowDown;
+  parameters = templates::forTarget(parameters,
+                                    templates::targetFromName(control).value_or(parameters.target));
   parameters.feedPerPoint = feedCells == "point";
   if (!axes.empty()) {
     // The option parser has rejected everything that is not an axis.

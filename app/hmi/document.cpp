@@ -21,6 +21,7 @@
 #include "session/background.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/start/stop_bound.h"
+#include "templates/target.h"
 
 namespace rivulet::hmi {
 
@@ -332,7 +333,8 @@ void Document::chooseJob(bool isWhole) {
 }
 
 templates::TemplateParameters Document::parameters() const {
-  templates::TemplateParameters parameters = m_settings.parameters;
+  templates::TemplateParameters parameters =
+      templates::forTarget(m_settings.parameters, m_stop.target);
   parameters.silenceLimitS = m_stop.silenceLimitS;
   // What the machine has not been seen to do is left out.
   const bool mayLift =
@@ -392,6 +394,13 @@ streaming::RunSettings Document::runSettings() const {
     settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
   }
   return settings;
+}
+
+void Document::setTarget(templates::TargetControl target) {
+  if (target != m_stop.target) {
+    m_stop.target = target;
+    judge();
+  }
 }
 
 void Document::setSilenceLimit(double seconds) {

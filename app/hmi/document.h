@@ -132,6 +132,8 @@ class Document final : public QObject {
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& machine() const {
     return m_machine;
   }
+  /// The control that the flexible program is written for.
+  void setTarget(templates::TargetControl target);
   /// Part of the programs for the machine: see `streaming::silenceLimitS`.
   void setSilenceLimit(double seconds);
   /// Where it is not proved, windows take no longer than this: see `streaming::stopLimitS`.
@@ -257,6 +259,7 @@ class Document final : public QObject {
   gcode::ProgramFeeds m_machineFeeds;  ///< limits, at 100 %
   /// How a run stands, as far as its machine decides it.
   struct MachineStop {
+    templates::TargetControl target = templates::TargetControl::Sinumerik;
     double silenceLimitS = templates::kSilenceLimitS;
     streaming::FeedProof proof = streaming::FeedProof::Proved;
     double liftMmMax = templates::kLiftMmMax;

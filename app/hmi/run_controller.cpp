@@ -17,6 +17,7 @@
 #include "report/run_history.h"
 #include "run/factor_feed.h"
 #include "streaming/start/first_move.h"
+#include "templates/target.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/note_text.h"
@@ -109,6 +110,9 @@ RunController::RunController(StreamSession& session, Document& document, Machine
   connect(&m_machine, &MachineModel::linkChanged, this, [this] {
     // Whole jobs are new: only a virtual machine may run them.
     m_document.setRunsJobs(!m_machine.isConnected() || m_machine.view().isVirtualMachine);
+    if (m_machine.isConnected()) {  // until another is: a lost connection changes no program
+      m_document.setTarget(templates::targetOf(m_machine.link().server.applicationUri));
+    }
     Q_EMIT permissionsChanged();
   });
   connect(&m_machine, &MachineModel::calibrationEnded, this, &RunController::permissionsChanged);

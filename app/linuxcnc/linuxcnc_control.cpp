@@ -16,6 +16,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "templates/linuxcnc_protocol.h"
+#include "templates/target.h"
 #include "templates/window_protocol.h"
 
 namespace rivulet::linuxcnc {
@@ -144,7 +145,7 @@ LinuxCncControl::LinuxCncControl(const LinuxCncOptions& options, ChildProcess he
       m_sampler(std::move(sampler)),
       m_cells(static_cast<std::size_t>(options.cells), 0.0) {
   m_facts.product = kProductName;
-  m_facts.applicationUri = kApplicationUri;
+  m_facts.applicationUri = templates::kLinuxCncApplicationUri;
   m_facts.isVirtual = false;
   m_facts.abilities = {options.mayStart, options.hasSampler};
   m_facts.samplingMin = std::chrono::milliseconds{10};

@@ -27,7 +27,6 @@ namespace rivulet::linuxcnc {
 
 /// As the bridge presents itself.
 inline constexpr std::string_view kProductName = "Rivulet bridge to LinuxCNC";
-inline constexpr std::string_view kApplicationUri = "urn:rivulet:linuxcnc";
 
 enum class LinuxCncError {
   NotRunning = 1,  ///< no LinuxCNC, or not for this user; the message says what to do

@@ -15,6 +15,7 @@
 #include "platform/log.h"
 #include "platform/output.h"
 #include "platform/serving/serving.h"
+#include "templates/target.h"
 
 namespace {
 
@@ -76,9 +77,9 @@ int main(int argc, char** argv) {
     const auto self = std::filesystem::read_symlink("/proc/self/exe", status);
     arguments.linuxCnc.helper = (self.parent_path() / "rivulet-linuxcnc-helper").string();
   }
-  if (const auto done = rivulet::serving::protect(
-          arguments.serving,
-          {"linuxcnc", rivulet::linuxcnc::kProductName, rivulet::linuxcnc::kApplicationUri});
+  if (const auto done = rivulet::serving::protect(arguments.serving,
+                                                  {"linuxcnc", rivulet::linuxcnc::kProductName,
+                                                   rivulet::templates::kLinuxCncApplicationUri});
       !done) {
     return complain(done.error(), kExitUsage);
   }
