@@ -344,7 +344,7 @@ templates::TemplateParameters Document::parameters() const {
     parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
   }
   parameters.feedPerPoint =
-      m_view && !m_live && m_settings.usesProgramFeeds() && m_feedCells.feedPerPoint;
+      m_view && !m_live && m_settings.usesProgramFeeds() && m_passes.feedCells.feedPerPoint;
   return parameters;
 }
 
@@ -357,15 +357,15 @@ void Document::chooseFeedCells(const feasibility::AccessModel& access) {
   const auto turn = report::operatingPointOf(settings).turn();
   const base::Duration accessTime = access.timePerNode(turn);
   const templates::TemplateParameters& wanted = settings.parameters;
-  const templates::TemplateParameters& had = m_feedCells.parameters;
-  if (m_feedCells.view == m_view && m_feedCells.accessTime == accessTime &&
+  const templates::TemplateParameters& had = m_passes.feedCells.parameters;
+  if (m_passes.feedCells.view == m_view && m_passes.feedCells.accessTime == accessTime &&
       had.method == wanted.method && had.pointsPerLoop == wanted.pointsPerLoop &&
       had.windows == wanted.windows && had.packed == wanted.packed &&
       had.correctionLimitMm == wanted.correctionLimitMm) {
     return;
   }
-  m_feedCells = {m_view, wanted, accessTime,
-                 streaming::prefersFeedPerPoint(points(), settings, access)};
+  m_passes.feedCells = {m_view, wanted, accessTime,
+                        streaming::prefersFeedPerPoint(points(), settings, access)};
 }
 
 double Document::commandedMmPerS(std::size_t point) const {
@@ -549,7 +549,7 @@ void Document::judge() {
   found.isBeingMeasured =
       view && !measure(found.operatingPoint.pointsPerLoop, settings.programFeeds.has_value());
   static_cast<preparation::Judged&>(found) = preparation::judgeWith(
-      m_measured.distances, view.get(), settings, found.access, dryRunProblem());
+      m_passes.measured.distances, view.get(), settings, found.access, dryRunProblem());
   if (found.settingsError && found.settingsError->code == streaming::StreamError::FeedUnknown) {
     found.settingsError->context = tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
   }
@@ -570,25 +570,25 @@ void Document::judge() {
 
 bool Document::measure(int pointsPerLoop, bool isTimed) {
   const Measured wanted{m_view, pointsPerLoop, isTimed, {}, false};
-  if (!m_measured.isFor(wanted)) {
-    m_measured = wanted;
+  if (!m_passes.measured.isFor(wanted)) {
+    m_passes.measured = wanted;
     const auto distances = [wanted] {
       return preparation::distancesOf(*wanted.view, wanted.pointsPerLoop, wanted.isTimed);
     };
     if (points().size() <= kPointsAtOnce || pointsPerLoop == m_view->distancesFor) {
-      m_measured.distances = distances();
-      m_measured.isDone = true;
+      m_passes.measured.distances = distances();
+      m_passes.measured.isDone = true;
     } else {
       session::inBackground(this, distances, [wanted](Document& self, const auto& found) {
-        if (self.m_measured.isFor(wanted)) {
-          self.m_measured.distances = found;
-          self.m_measured.isDone = true;
+        if (self.m_passes.measured.isFor(wanted)) {
+          self.m_passes.measured.distances = found;
+          self.m_passes.measured.isDone = true;
           self.judge();
         }
       });
     }
   }
-  return m_measured.isDone;
+  return m_passes.measured.isDone;
 }
 
 session::TimeSettings Document::timeSettings() const {

@@ -274,7 +274,6 @@ class Document final : public QObject {
     base::Duration accessTime{};
     bool feedPerPoint = false;
   };
-  FeedCells m_feedCells;
   /// The distances that the verdict takes.
   struct Measured {
     std::shared_ptr<const overview::ProgramView> view;
@@ -286,7 +285,12 @@ class Document final : public QObject {
       return view == other.view && pointsPerLoop == other.pointsPerLoop && isTimed == other.isTimed;
     }
   };
-  Measured m_measured;
+  /// What takes a pass over the program.
+  struct Passes {
+    FeedCells feedCells;
+    Measured measured;
+  };
+  Passes m_passes;
   std::shared_ptr<const overview::ProgramView> m_view;
   QString m_path;
   QString m_requestedPath;
