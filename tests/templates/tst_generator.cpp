@@ -12,6 +12,7 @@
 #include "templates/continuation.h"
 #include "templates/flexible_program.h"
 #include "templates/method_template.h"
+#include "templates/target.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -123,6 +124,20 @@ class TestGenerator : public QObject {
         QVERIFY2(begun.insert(first.section(QLatin1Char(' '), 0, 0)).second, qPrintable(block));
       }
     }
+  }
+
+  void aServerSaysWhichControlIsBehindIt() {
+    using templates::TargetControl;
+    QCOMPARE(templates::targetOf(templates::kLinuxCncApplicationUri), TargetControl::LinuxCnc);
+    for (const char* const other : {"", "urn:rivulet:machine", "urn:rivulet:linuxcnc2"}) {
+      QCOMPARE(templates::targetOf(other), TargetControl::Sinumerik);
+    }
+    // What it does not have is left out, and comes back with the next control.
+    const TemplateParameters wanted = make(MethodKind::Credit, 2);
+    QVERIFY(wanted.slowDown);
+    const TemplateParameters there = templates::forTarget(wanted, TargetControl::LinuxCnc);
+    QVERIFY(templates::makeProgram(there).has_value());
+    QVERIFY(templates::forTarget(wanted, TargetControl::Sinumerik).slowDown);
   }
 
   void whatOthersDoNotHave_data() {
