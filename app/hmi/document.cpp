@@ -33,8 +33,6 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
-/// One pass over so many takes the GUI thread a few milliseconds.
-constexpr std::size_t kPointsAtOnce = 50'000;
 
 }  // namespace
 
@@ -575,7 +573,7 @@ bool Document::measure(int pointsPerLoop, bool isTimed) {
     const auto distances = [wanted] {
       return preparation::distancesOf(*wanted.view, wanted.pointsPerLoop, wanted.isTimed);
     };
-    if (points().size() <= kPointsAtOnce || pointsPerLoop == m_view->distancesFor) {
+    if (points().size() <= overview::kPointsAtOnce || pointsPerLoop == m_view->distancesFor) {
       m_passes.measured.distances = distances();
       m_passes.measured.isDone = true;
     } else {

@@ -16,6 +16,8 @@ namespace rivulet::session {
 
 namespace {
 
+/// Points of a program that are simulated at most.
+constexpr std::size_t kRehearsedPointsMax = 1500;
 constexpr std::size_t kRuns = 3;
 /// Shares of the wanted feed that are tried if it fails, until one does not.
 constexpr std::array<double, 7> kSlower{0.9, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1};

@@ -49,9 +49,6 @@ struct RehearsalOutcome {
   [[nodiscard]] bool hasFailed() const { return faulty > 0; }
 };
 
-/// Points of a program that are simulated at most.
-inline constexpr std::size_t kRehearsedPointsMax = 1500;
-
 /// The work itself. @param stop  set by another thread: give up  @threadsafety pure
 [[nodiscard]] RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop);
 

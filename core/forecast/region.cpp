@@ -171,14 +171,10 @@ RunFate fateOf(streaming::Scenario scenario, base::Error* error) {
 }
 
 std::vector<gcode::StreamPoint> stretchOf(const std::vector<gcode::StreamPoint>& points,
-                                          std::size_t around, std::size_t count,
-                                          std::size_t* first) {
+                                          std::size_t around, std::size_t count) {
   RIVULET_ASSERT(around < points.size() || points.empty());
   const std::size_t length = std::min(count, points.size());
   const std::size_t from = std::min(around - std::min(around, count / 2), points.size() - length);
-  if (first != nullptr) {
-    *first = from;
-  }
   const auto begin = points.begin() + static_cast<std::ptrdiff_t>(from);
   return {begin, begin + static_cast<std::ptrdiff_t>(length)};
 }

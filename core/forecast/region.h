@@ -43,10 +43,8 @@ enum class RunFate {
 
 /// The points of a run: at most `count`, those around the point `around`. A section stands for a
 /// long program.
-/// @param first  takes the index of its first point; null: not wanted
 [[nodiscard]] std::vector<gcode::StreamPoint> stretchOf(
-    const std::vector<gcode::StreamPoint>& points, std::size_t around, std::size_t count,
-    std::size_t* first = nullptr);
+    const std::vector<gcode::StreamPoint>& points, std::size_t around, std::size_t count);
 
 /// The feeds of the program at 100 % become those that are commanded.
 /// @param feeds  nothing: the run has one feed for all, and the points none

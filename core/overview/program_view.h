@@ -8,6 +8,7 @@
 /// @threadsafety immutable once made; `makeProgramView` is pure.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -27,6 +28,9 @@
 #include "overview/text_index.h"
 
 namespace rivulet::overview {
+
+/// A pass over so many points takes some milliseconds: the GUI thread may make it.
+inline constexpr std::size_t kPointsAtOnce = 50'000;
 
 /// Path lengths by kind of move, mm.
 struct KindLengths {

@@ -16,7 +16,6 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "hmi/main_window.h"

@@ -26,9 +26,6 @@ namespace {
 
 constexpr double kStepsPerS = 1000.0;  // of the slider, by time
 
-/// The classes of so many take the GUI thread some milliseconds.
-constexpr std::size_t kPointsAtOnce = 50'000;
-
 /// What decides the classes.
 struct Wanted {
   std::shared_ptr<const overview::ProgramView> program;
@@ -269,7 +266,7 @@ void PathView::recolour() {
       }
     };
   };
-  if (!m_elsewhere || pointCount() <= kPointsAtOnce) {
+  if (!m_elsewhere || pointCount() <= overview::kPointsAtOnce) {
     find()();
     return;
   }

@@ -32,12 +32,12 @@ class PathView final : public Page {
   Q_OBJECT
 
  public:
-  /// Runs work outside the GUI thread, and there what the work returns.
+  /// Runs work outside the GUI thread, and then, on the GUI thread, what the work has returned.
   using Elsewhere = std::function<void(std::function<std::function<void()>()>)>;
 
   explicit PathView(QWidget* parent = nullptr);
 
-  /// Where the classes of the moves of a long program are found; without it: here.
+  /// Finds the classes of the moves of a long program; without it, they are found at once, here.
   void setElsewhere(Elsewhere elsewhere) { m_elsewhere = std::move(elsewhere); }
   /// In the language of the operator, also for other canvases.
   [[nodiscard]] static PathCanvas::Texts canvasTexts();
@@ -120,7 +120,7 @@ class PathView final : public Page {
   std::shared_ptr<const overview::DrawnClasses> m_shown =
       std::make_shared<const overview::DrawnClasses>();
   Elsewhere m_elsewhere;
-  /// Number of the latest order for classes: older ones are not needed any more.
+  /// Number of the latest order for classes: what an older one finds is dropped.
   std::shared_ptr<std::atomic<unsigned>> m_ordered = std::make_shared<std::atomic<unsigned>>(0);
   std::optional<std::size_t> m_marked;
 
