@@ -136,6 +136,7 @@ void Document::openLive(const live::Setup& setup, const std::string& name) {
 
 void Document::showNoPoints() {
   forgetTimes();
+  m_passes = {};  // they hold a program that may be large
   // What is agreed stands for the program: a release is for it.
   const std::string hash = fmt::format("{:016x}", base::hashOf(live::textOf(m_live->setup)));
   m_livePath.begin(m_live->name, hash);

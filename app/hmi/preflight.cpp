@@ -167,6 +167,7 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
 }
 
 void Preflight::findPath() {
+  m_path = {};  // it holds a program that may be large
   const auto view = m_document.view();
   if (view && !m_document.live()) {
     session::inBackground(
