@@ -419,41 +419,73 @@ int PositionLine::setPx(const QFont& detail) const {
                                                 kLongestCoolant);
 }
 
+int PositionLine::feedSetPx(const QFont& detail) {
+  return QFontMetrics(detail).horizontalAdvance(tr("set %1").arg(kLongestFeedSet) +
+                                                QStringLiteral(" \u00B7 ") + kLongestOverride +
+                                                QStringLiteral(" %"));
+}
+
 PositionLine::Fit PositionLine::fitIn(bool inTwoRows) const {
-  // Measured at one size and scaled.
+  // Measured at one size and scaled: each size that is measured is a font to be loaded.
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
   const QFontMetrics names(sized(font(), kProbePt * kNameShare));
+  QFont detail = font();
+  detail.setPointSizeF(kProbePt);
   const bool hasTool = m_tool.group->isVisibleTo(this);
   const bool hasSpindle = m_spindle.group->isVisibleTo(this);
   Fit fit;
   fit.gapPx =
       width() < kNarrowPx && (hasTool || hasSpindle || inTwoRows) ? kNarrowGapPx : kGroupGapPx;
-  double atProbe = 0.0;
-  double fixed = 2.0 * kMarginPx + kGroupGapPx;
+  struct Group {
+    double valuePx;   ///< with its name
+    double detailPx;  ///< the line below
+  };
+  std::vector<Group> groups;
+  const auto add = [&](const QLabel* name, const QString& longest, int detailPx) {
+    groups.push_back({static_cast<double>(names.horizontalAdvance(name->text()) +
+                                          metrics.horizontalAdvance(longest)),
+                      static_cast<double>(detailPx)});
+  };
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     if (isShown(i) && !(inTwoRows && i == kFeed)) {
-      atProbe += names.horizontalAdvance(m_readouts[i].name->text()) +
-                 metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
-      fixed += 2.0 * fit.gapPx + kGapPx;
+      add(m_readouts[i].name, i == kFeed ? kLongestFeed : kLongestAxis,
+          i == kFeed ? feedSetPx(detail) : 0);
     }
+  }
+  if (hasTool && !inTwoRows) {
+    add(m_tool.name, kLongestTool, edgePx(detail));
+  }
+  if (hasSpindle && !inTwoRows) {
+    add(m_spindle.name, kLongestSpeed, setPx(detail));
+  }
+  const auto detailPt = [inTwoRows](double digitsPt) {
+    return std::clamp(kDetailShare * digitsPt, kDetailPtMin,
+                      inTwoRows ? kDetailPtMin : kDetailPtMax);
+  };
+  const auto rowPx = [&](double digitsPt) {
+    double sumPx = 2.0 * kMarginPx;
+    for (const Group& group : groups) {
+      sumPx += 2.0 * fit.gapPx + std::max(kGapPx + group.valuePx * digitsPt / kProbePt,
+                                          group.detailPx * detailPt(digitsPt) / kProbePt);
+    }
+    return sumPx;
+  };
+  // The rest of the line says how old it is.
+  const double roomPx = (inTwoRows ? 1.0 : hasTool || hasSpindle ? 0.9 : 0.8) * width();
+  const double byHeight = kProbePt * kDigitsShare * heights(inTwoRows).upperPx / metrics.height();
+  fit.digitsPt = std::clamp(byHeight, kFontPtMin, kFontPtMax);
+  constexpr double kStepPt = 0.25;
+  while (fit.digitsPt > kFontPtMin && rowPx(fit.digitsPt) > roomPx) {
+    fit.digitsPt = std::max(fit.digitsPt - kStepPt, kFontPtMin);
   }
   QFont small = font();
   small.setPointSizeF(kDetailPtMin);
-  if (!inTwoRows) {
-    fixed += hasTool ? 2.0 * fit.gapPx + edgePx(small) : 0.0;
-    fixed += hasSpindle ? 2.0 * fit.gapPx + setPx(small) : 0.0;
-  }
-  // The rest of the line says how old it is.
-  const double room = (inTwoRows ? 1.0 : hasTool || hasSpindle ? 0.9 : 0.8) * width() - fixed;
-  const double byHeight = kProbePt * kDigitsShare * heights(inTwoRows).upperPx / metrics.height();
-  fit.digitsPt = std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
   const double belowPx = heights(inTwoRows).lowerPx - QFontMetrics(small).height();
   fit.othersPt = inTwoRows
                      ? std::min({fit.digitsPt, kLowerPtMax, kProbePt * belowPx / metrics.height()})
                      : fit.digitsPt;
-  fit.detailPt = std::clamp(kDetailShare * fit.digitsPt, kDetailPtMin,
-                            inTwoRows ? kDetailPtMin : kDetailPtMax);
+  fit.detailPt = detailPt(fit.digitsPt);
   return fit;
 }
 
@@ -503,10 +535,6 @@ void PositionLine::fitFonts() {
     return QFontMetrics(name->font()).horizontalAdvance(name->text()) + kGapPx +
            QFontMetrics(font).horizontalAdvance(longest);
   };
-  const int detailOfFeedPx =
-      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" \u00B7 ") +
-                                kLongestOverride + QStringLiteral(" %")) +
-      2;
   std::vector<std::pair<QWidget*, int>> widths;  // of the groups
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     const Readout& readout = m_readouts[i];
@@ -519,7 +547,7 @@ void PositionLine::fitFonts() {
         QFontMetrics(value).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2;
     readout.value->setFixedWidth(valuePx);
     const int contentPx = std::max(readout.name->sizeHint().width() + kGapPx + valuePx,
-                                   i == kFeed ? detailOfFeedPx : 0);
+                                   i == kFeed ? feedSetPx(small) + 2 : 0);
     widths.emplace_back(readout.group, leftPx + contentPx + fit.gapPx);
   }
   m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=

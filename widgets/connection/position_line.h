@@ -86,7 +86,8 @@ class PositionLine final : public Page {
   void fixGroups(const std::vector<std::pair<QWidget*, int>>& widths, Heights rows);
   void setRows(bool areTwo);
   [[nodiscard]] bool isShown(std::size_t readout) const;
-  /// Of tool and spindle beside their values.
+  /// The longest lines below the values of feed, tool and spindle.
+  [[nodiscard]] static int feedSetPx(const QFont& detail);
   [[nodiscard]] int edgePx(const QFont& detail) const;
   [[nodiscard]] int setPx(const QFont& detail) const;
 
