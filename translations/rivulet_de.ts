@@ -2610,6 +2610,66 @@
         <source>the override of the operator acts alone.</source>
         <translation>Nur der Override des Bedieners wirkt.</translation>
     </message>
+    <message>
+        <source>The axes are told to stand.</source>
+        <translation>Die Achsen sollen anhalten.</translation>
+    </message>
+    <message>
+        <source>The axes are told to go on, override %1 %.</source>
+        <translation>Die Achsen sollen weiterfahren, Override %1 %.</translation>
+    </message>
+    <message>
+        <source>Override %1 % requested.</source>
+        <translation>Override %1 % angefordert.</translation>
+    </message>
+    <message>
+        <source>An override of %1 % is refused: choose %2 to %3 %.</source>
+        <translation>Ein Override von %1 % wird abgelehnt: %2 bis %3 % wählen.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %: it stays until the next order.</source>
+        <translation>Ein anderer Client hat den Override auf %1 % gestellt: Er bleibt bis zur nächsten Anforderung.</translation>
+    </message>
+    <message>
+        <source>Another client has written the factor %1: %2 is written again.</source>
+        <translation>Ein anderer Client hat den Faktor %1 geschrieben: %2 wird erneut geschrieben.</translation>
+    </message>
+    <message>
+        <source>The control does not obey: its override is %1 %.</source>
+        <translation>Die Steuerung gehorcht nicht: Ihr Override ist %1 %.</translation>
+    </message>
+    <message>
+        <source>The axes stand, %1 s after it was requested.</source>
+        <translation>Die Achsen stehen, %1 s nach der Anforderung.</translation>
+    </message>
+    <message>
+        <source>The axes move although the override is 0: what moves now does not obey it. Stop it at the control.</source>
+        <translation>Die Achsen fahren, obwohl der Override 0 ist: Was jetzt fährt, gehorcht ihm nicht. An der Steuerung anhalten.</translation>
+    </message>
+    <message>
+        <source>For %1 s no sign of this computer has reached the control: the axes have stood meanwhile.</source>
+        <translation>%1 s lang hat die Steuerung kein Lebenszeichen dieses Rechners erreicht: Die Achsen haben so lange gestanden.</translation>
+    </message>
+    <message>
+        <source>Lift of the tool in mm: %1</source>
+        <translation>Abheben des Werkzeugs in mm: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: the axes are held, and the program is left.</source>
+        <translation>Gestoppt: Die Achsen werden gehalten, und das Programm wird verlassen.</translation>
+    </message>
+    <message>
+        <source>This program has no feed cell: Pause acts before the next window.</source>
+        <translation>Dieses Programm hat keine Vorschubzelle: Pause wirkt vor dem nächsten Fenster.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 mm off the path.</source>
+        <translation>Falsche Bewegung: Nach Punkt %1 ist das Werkzeug %2 mm neben der Bahn.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: points were repeated after point %1.</source>
+        <translation>Falsche Bewegung: Nach Punkt %1 wurden Punkte wiederholt.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -2610,6 +2610,66 @@
         <source>the override of the operator acts alone.</source>
         <translation>actúa solo el override del operario.</translation>
     </message>
+    <message>
+        <source>The axes are told to stand.</source>
+        <translation>Los ejes deben detenerse.</translation>
+    </message>
+    <message>
+        <source>The axes are told to go on, override %1 %.</source>
+        <translation>Los ejes deben continuar, override %1 %.</translation>
+    </message>
+    <message>
+        <source>Override %1 % requested.</source>
+        <translation>Override %1 % solicitado.</translation>
+    </message>
+    <message>
+        <source>An override of %1 % is refused: choose %2 to %3 %.</source>
+        <translation>Se rechaza un override de %1 %: elegir de %2 a %3 %.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %: it stays until the next order.</source>
+        <translation>Otro cliente ha puesto el override a %1 %: se mantiene hasta la próxima orden.</translation>
+    </message>
+    <message>
+        <source>Another client has written the factor %1: %2 is written again.</source>
+        <translation>Otro cliente ha escrito el factor %1: se escribe de nuevo %2.</translation>
+    </message>
+    <message>
+        <source>The control does not obey: its override is %1 %.</source>
+        <translation>El control no obedece: su override es %1 %.</translation>
+    </message>
+    <message>
+        <source>The axes stand, %1 s after it was requested.</source>
+        <translation>Los ejes están parados, %1 s después de la solicitud.</translation>
+    </message>
+    <message>
+        <source>The axes move although the override is 0: what moves now does not obey it. Stop it at the control.</source>
+        <translation>Los ejes se mueven aunque el override es 0: lo que se mueve no le obedece. Parar en el control.</translation>
+    </message>
+    <message>
+        <source>For %1 s no sign of this computer has reached the control: the axes have stood meanwhile.</source>
+        <translation>Durante %1 s no ha llegado al control ninguna señal de este ordenador: entretanto los ejes han estado parados.</translation>
+    </message>
+    <message>
+        <source>Lift of the tool in mm: %1</source>
+        <translation>Elevación de la herramienta en mm: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: the axes are held, and the program is left.</source>
+        <translation>Detenido: los ejes quedan retenidos y se abandona el programa.</translation>
+    </message>
+    <message>
+        <source>This program has no feed cell: Pause acts before the next window.</source>
+        <translation>Este programa no tiene celda de avance: Pausa actúa antes de la siguiente ventana.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 mm off the path.</source>
+        <translation>Movimiento erróneo: tras el punto %1 la herramienta está a %2 mm de la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: points were repeated after point %1.</source>
+        <translation>Movimiento erróneo: tras el punto %1 se repitieron puntos.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

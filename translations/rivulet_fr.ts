@@ -2610,6 +2610,66 @@
         <source>the override of the operator acts alone.</source>
         <translation>l’override de l’opérateur agit seul.</translation>
     </message>
+    <message>
+        <source>The axes are told to stand.</source>
+        <translation>Les axes doivent s’arrêter.</translation>
+    </message>
+    <message>
+        <source>The axes are told to go on, override %1 %.</source>
+        <translation>Les axes doivent continuer, override %1&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Override %1 % requested.</source>
+        <translation>Override %1&#xa0;% demandé.</translation>
+    </message>
+    <message>
+        <source>An override of %1 % is refused: choose %2 to %3 %.</source>
+        <translation>Un override de %1&#xa0;% est refusé&#xa0;: choisir de %2 à %3&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %: it stays until the next order.</source>
+        <translation>Un autre client a mis l’override à %1&#xa0;%&#xa0;: il reste jusqu’au prochain ordre.</translation>
+    </message>
+    <message>
+        <source>Another client has written the factor %1: %2 is written again.</source>
+        <translation>Un autre client a écrit le facteur %1&#xa0;: %2 est écrit de nouveau.</translation>
+    </message>
+    <message>
+        <source>The control does not obey: its override is %1 %.</source>
+        <translation>La commande n’obéit pas&#xa0;: son override est de %1&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>The axes stand, %1 s after it was requested.</source>
+        <translation>Les axes sont à l’arrêt, %1&#xa0;s après la demande.</translation>
+    </message>
+    <message>
+        <source>The axes move although the override is 0: what moves now does not obey it. Stop it at the control.</source>
+        <translation>Les axes bougent bien que l’override soit à 0&#xa0;: ce qui bouge ne lui obéit pas. Arrêter à la commande.</translation>
+    </message>
+    <message>
+        <source>For %1 s no sign of this computer has reached the control: the axes have stood meanwhile.</source>
+        <translation>Pendant %1&#xa0;s, aucun signe de cet ordinateur n’est parvenu à la commande&#xa0;: les axes sont restés à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Lift of the tool in mm: %1</source>
+        <translation>Relevage de l’outil en mm&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: the axes are held, and the program is left.</source>
+        <translation>Arrêté&#xa0;: les axes sont maintenus à l’arrêt, et le programme est quitté.</translation>
+    </message>
+    <message>
+        <source>This program has no feed cell: Pause acts before the next window.</source>
+        <translation>Ce programme n’a pas de cellule d’avance&#xa0;: Pause agit avant la fenêtre suivante.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 mm off the path.</source>
+        <translation>Mouvement erroné&#xa0;: après le point %1, l’outil est à %2&#xa0;mm de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: points were repeated after point %1.</source>
+        <translation>Mouvement erroné&#xa0;: des points ont été répétés après le point %1.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -2610,6 +2610,66 @@
         <source>the override of the operator acts alone.</source>
         <translation>agisce solo l’override dell’operatore.</translation>
     </message>
+    <message>
+        <source>The axes are told to stand.</source>
+        <translation>Gli assi devono fermarsi.</translation>
+    </message>
+    <message>
+        <source>The axes are told to go on, override %1 %.</source>
+        <translation>Gli assi devono proseguire, override %1 %.</translation>
+    </message>
+    <message>
+        <source>Override %1 % requested.</source>
+        <translation>Override %1 % richiesto.</translation>
+    </message>
+    <message>
+        <source>An override of %1 % is refused: choose %2 to %3 %.</source>
+        <translation>Un override di %1 % viene rifiutato: scegliere da %2 a %3 %.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %: it stays until the next order.</source>
+        <translation>Un altro client ha impostato l’override a %1 %: resta fino al prossimo ordine.</translation>
+    </message>
+    <message>
+        <source>Another client has written the factor %1: %2 is written again.</source>
+        <translation>Un altro client ha scritto il fattore %1: %2 viene scritto di nuovo.</translation>
+    </message>
+    <message>
+        <source>The control does not obey: its override is %1 %.</source>
+        <translation>Il controllo non obbedisce: il suo override è %1 %.</translation>
+    </message>
+    <message>
+        <source>The axes stand, %1 s after it was requested.</source>
+        <translation>Gli assi sono fermi, %1 s dopo la richiesta.</translation>
+    </message>
+    <message>
+        <source>The axes move although the override is 0: what moves now does not obey it. Stop it at the control.</source>
+        <translation>Gli assi si muovono benché l’override sia 0: ciò che si muove non gli obbedisce. Fermare sul controllo.</translation>
+    </message>
+    <message>
+        <source>For %1 s no sign of this computer has reached the control: the axes have stood meanwhile.</source>
+        <translation>Per %1 s nessun segno di questo computer è arrivato al controllo: nel frattempo gli assi sono rimasti fermi.</translation>
+    </message>
+    <message>
+        <source>Lift of the tool in mm: %1</source>
+        <translation>Sollevamento dell’utensile in mm: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: the axes are held, and the program is left.</source>
+        <translation>Fermato: gli assi sono tenuti fermi, e il programma viene lasciato.</translation>
+    </message>
+    <message>
+        <source>This program has no feed cell: Pause acts before the next window.</source>
+        <translation>Questo programma non ha una cella dell’avanzamento: Pausa agisce prima della prossima finestra.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: after point %1 the tool is %2 mm off the path.</source>
+        <translation>Movimento errato: dopo il punto %1 l’utensile è a %2 mm dal percorso.</translation>
+    </message>
+    <message>
+        <source>Wrong motion: points were repeated after point %1.</source>
+        <translation>Movimento errato: dopo il punto %1 alcuni punti sono stati ripetuti.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -28,6 +28,7 @@
 #include "support/test_program.h"
 #include "widgets/common/focus_frame.h"
 #include "widgets/common/help_page.h"
+#include "widgets/common/log_view.h"
 #include "widgets/connection/certificates_page.h"
 #include "widgets/connection/machine_button.h"
 #include "widgets/connection/rights_page.h"
@@ -181,11 +182,27 @@ class TestLook : public QObject {
         m_faults.append(name + QStringLiteral(": the path is cut"));
       }
     }
+    noteEnglish(look, name);
     for (const QString& fault : tests::lookFaults(*m_window, picture)) {
       m_faults.append(name + QStringLiteral(": ") + fault);
     }
     if (!pictureFolder().isEmpty()) {
       QVERIFY(picture.save(QDir(pictureFolder()).filePath(name + QStringLiteral(".png"))));
+    }
+  }
+
+  /// Texts of the pseudo language begin with a bracket: a message without one is English whatever
+  /// the language.
+  void noteEnglish(const Look& look, const QString& name) {
+    if (look.language != kPseudo) {
+      return;
+    }
+    const QAbstractItemModel& messages = *m_window->findChild<widgets::LogModel*>();
+    for (int row = 0; row < messages.rowCount(); ++row) {
+      const QString text = messages.index(row, widgets::LogModel::Text).data().toString();
+      if (!text.startsWith(QLatin1Char('['))) {
+        m_faults.append(name + QStringLiteral(": not translated: ") + text);
+      }
     }
   }
 

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "opcua/grouping.h"
+#include "widgets/common/number_format.h"
 #include "widgets/streaming/report_panel.h"
 
 namespace rivulet::widgets {
@@ -20,7 +21,7 @@ struct NotePattern {
   const char* said;
 };
 
-constexpr std::array<NotePattern, 24> kNotes{{
+constexpr std::array<NotePattern, 39> kNotes{{
     {"access form: %1", QT_TRANSLATE_NOOP("NoteTexts", "Form of access: %1.")},
     {"program %1: %2, %3, %4", QT_TRANSLATE_NOOP("NoteTexts", "Program %1: %2, %3, %4.")},
     {"network: nothing has come from the control for %1 s",
@@ -81,6 +82,43 @@ constexpr std::array<NotePattern, 24> kNotes{{
      QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: the source has closed: %1")},
     {"feed source: The operator goes on without the source.",
      QT_TRANSLATE_NOOP("NoteTexts", "Adaptive feed: the operator goes on without the source.")},
+    {"feed: hold requested", QT_TRANSLATE_NOOP("NoteTexts", "The axes are told to stand.")},
+    {"feed: continue requested, override %1 %",
+     QT_TRANSLATE_NOOP("NoteTexts", "The axes are told to go on, override %1 %.")},
+    {"feed: override %1 % requested", QT_TRANSLATE_NOOP("NoteTexts", "Override %1 % requested.")},
+    {"feed: an override of %1 % is refused: choose %2 to %3 %",
+     QT_TRANSLATE_NOOP("NoteTexts", "An override of %1 % is refused: choose %2 to %3 %.")},
+    {"feed: another client has set the override to %1 %: it stays until the next order",
+     QT_TRANSLATE_NOOP(
+         "NoteTexts",
+         "Another client has set the override to %1 %: it stays until the next order.")},
+    {"feed: another client has written the factor %1: %2 is written again",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "Another client has written the factor %1: %2 is written again.")},
+    {"feed: the control does not obey: its override is %1 %",
+     QT_TRANSLATE_NOOP("NoteTexts", "The control does not obey: its override is %1 %.")},
+    {"feed: the axes stand, %1 s after it was requested",
+     QT_TRANSLATE_NOOP("NoteTexts", "The axes stand, %1 s after it was requested.")},
+    {"feed: the axes move although the override is 0: what moves now does not obey it. Stop it at "
+     "the control.",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The axes move although the override is 0: what moves now does not obey it. "
+                       "Stop it at the control.")},
+    {"feed: for %1 s no sign of this client has reached the control: the axes have stood meanwhile",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "For %1 s no sign of this computer has reached the control: the axes have "
+                       "stood meanwhile.")},
+    {"lift of the tool in mm: %1", QT_TRANSLATE_NOOP("NoteTexts", "Lift of the tool in mm: %1")},
+    {"stopped: the axes are held, and the program is left",
+     QT_TRANSLATE_NOOP("NoteTexts", "Stopped: the axes are held, and the program is left.")},
+    {"the program has no feed cell: hold acts before the next window",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "This program has no feed cell: Pause acts before the next window.")},
+    {"wrong motion: after point %1 the tool is %2 mm off the path",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "Wrong motion: after point %1 the tool is %2 mm off the path.")},
+    {"wrong motion: points were repeated after point %1",
+     QT_TRANSLATE_NOOP("NoteTexts", "Wrong motion: points were repeated after point %1.")},
 }};
 
 /// Words that stand in the place of a variable part.
@@ -105,6 +143,13 @@ QRegularExpression expressionOf(const char* written) {
 }
 
 QString wordText(const QString& word) {
+  // A number with a point gets the mark of the language.
+  static const QRegularExpression number(
+      QRegularExpression::anchoredPattern(QStringLiteral("-?[0-9]+\\.[0-9]+")));
+  if (number.match(word).hasMatch()) {
+    const qsizetype decimals = word.size() - word.indexOf(QLatin1Char('.')) - 1;
+    return numberText(word.toDouble(), static_cast<int>(decimals));
+  }
   for (const NotePattern& known : kWords) {
     if (word == QLatin1String(known.written)) {
       return QCoreApplication::translate("NoteTexts", known.said);

@@ -144,7 +144,9 @@ class TestCommon : public QObject {
                                     "s, 40 times as long as expected. Each took at least 0.90 s: "
                                     "the network is slow, or the server is busy with another OPC "
                                     "UA client."))
-                .contains("Jeder dauerte mindestens 0.90 s"));
+                .contains("Jeder dauerte mindestens 0,90 s"));
+    QCOMPARE(noteText(QStringLiteral("feed: the axes stand, 0.165 s after it was requested")),
+             QStringLiteral("Die Achsen stehen, 0,165 s nach der Anforderung."));
   }
 
   void themesAreReadable_data() {
