@@ -6,8 +6,10 @@
 /// pictures, to be looked at.
 
 #include <QDir>
+#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTcpSocket>
@@ -191,8 +193,8 @@ class TestLook : public QObject {
     }
   }
 
-  /// Texts of the pseudo language begin with a bracket: a message without one is English whatever
-  /// the language.
+  /// Texts of the pseudo language begin with a bracket: a message without one, or four words in a
+  /// label, are English whatever the language.
   void noteEnglish(const Look& look, const QString& name) {
     if (look.language != kPseudo) {
       return;
@@ -201,6 +203,13 @@ class TestLook : public QObject {
     for (int row = 0; row < messages.rowCount(); ++row) {
       const QString text = messages.index(row, widgets::LogModel::Text).data().toString();
       if (!text.startsWith(QLatin1Char('['))) {
+        m_faults.append(name + QStringLiteral(": not translated: ") + text);
+      }
+    }
+    static const QRegularExpression words(QStringLiteral("([a-z]{2,} ){3}[a-z]{2,}"));
+    for (const QLabel* label : m_window->findChildren<QLabel*>()) {
+      const QString text = label->isVisible() ? label->text() : QString();
+      if (!text.contains(QLatin1Char('[')) && words.match(text).hasMatch()) {
         m_faults.append(name + QStringLiteral(": not translated: ") + text);
       }
     }

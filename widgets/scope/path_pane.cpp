@@ -128,11 +128,15 @@ PathPane::Course PathPane::courseOf(std::size_t trace) const {
     course.z = samples('z');
     if (!m_curves->isLive() && trace < m_curves->traces().size()) {
       course.program = m_curves->traces()[trace]->programPath;
-      const bool isActual = end == QLatin1String("_act");
-      course.lengthMm =
-          isActual ? m_curves->samples(trace, QStringLiteral("program_length_act")) : nullptr;
+      // A trace without its program has none.
+      const auto length = [&](const char* name) {
+        return m_curves->traces()[trace]->signalSet.find(name) == nullptr
+                   ? nullptr
+                   : m_curves->samples(trace, QLatin1String(name));
+      };
+      course.lengthMm = end == QLatin1String("_act") ? length("program_length_act") : nullptr;
       if (!course.lengthMm) {
-        course.lengthMm = m_curves->samples(trace, QStringLiteral("program_length"));
+        course.lengthMm = length("program_length");
       }
     }
     return course;

@@ -209,7 +209,8 @@ void SignalPanel::addFormula() {
 }
 
 void SignalPanel::showFormulaError(const base::Error& error) {
-  m_formulaNote->setText(errorText(error));
+  m_formulaError = error;
+  m_formulaNote->setText(errorText(m_formulaError));
   m_formulaNote->show();
 }
 
@@ -242,6 +243,7 @@ bool SignalPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void SignalPanel::retranslate() {
   m_formula->setPlaceholderText(QStringLiteral("hypot(x_act-x_set, y_act-y_set)"));
+  m_formulaNote->setText(errorText(m_formulaError));
   fill();
 }
 

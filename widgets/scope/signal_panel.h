@@ -85,6 +85,7 @@ class SignalPanel final : public Page {
        .id = "signalFormula",
        .isTouch = true});
   QLabel* m_formulaNote = label({.id = "signalFormulaNote", .wraps = true});
+  base::Error m_formulaError;  ///< what the note says, while it is shown
 };
 
 }  // namespace rivulet::widgets

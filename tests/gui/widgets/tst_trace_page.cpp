@@ -702,6 +702,22 @@ class TestTracePage : public QObject {
     QTest::keyClick(formula, Qt::Key_Return);
     page.redrawNow();
     QVERIFY2(problem->text().contains("w_act"), qPrintable(problem->text()));
+    language.german();
+    QCoreApplication::processEvents();
+    QVERIFY2(problem->text().contains("kein solches Signal"), qPrintable(problem->text()));
+  }
+
+  /// Nobody has asked for the length along a program that is not there.
+  void aTraceWithoutItsProgramIsNoMistake() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    auto* panel = page.findChild<QTabWidget*>("tracePanel");
+    for (int tab = 0; tab < panel->count(); ++tab) {
+      panel->setCurrentIndex(tab);
+      static_cast<void>(test::picture(page, {1000, 640}));
+      page.redrawNow();
+    }
+    QVERIFY(page.findChild<QLabel*>("signalFormulaNote")->isHidden());
   }
 
   /// While the set point stands, the axes still close up. What is enlarged is how far they are off
