@@ -2670,6 +2670,42 @@
         <source>Wrong motion: points were repeated after point %1.</source>
         <translation>Falsche Bewegung: Nach Punkt %1 wurden Punkte wiederholt.</translation>
     </message>
+    <message>
+        <source>The control recorded a dwell of %1 s in line %2.</source>
+        <translation>Die Steuerung hat eine Verweilzeit von %1 s in Zeile %2 aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The control recorded an auxiliary function of %1 s in line %2.</source>
+        <translation>Die Steuerung hat eine Hilfsfunktion von %1 s in Zeile %2 aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The control recorded M%1 in line %2.</source>
+        <translation>Die Steuerung hat M%1 in Zeile %2 aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>The override was 0 while the axes stood.</source>
+        <translation>Der Override war 0, solange die Achsen standen.</translation>
+    </message>
+    <message>
+        <source>A write of %1 values was answered %2 ms before the axes moved again.</source>
+        <translation>Das Schreiben von %1 Werten wurde %2 ms vor der nächsten Bewegung der Achsen beantwortet.</translation>
+    </message>
+    <message>
+        <source>The program on the control has a STOPRE between line %1 and line %2.</source>
+        <translation>Das Programm auf der Steuerung hat ein STOPRE zwischen Zeile %1 und Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The program on the control jumps from line %1 back to line %2.</source>
+        <translation>Das Programm auf der Steuerung springt von Zeile %1 zurück zu Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The path turns by %1° there.</source>
+        <translation>Dort knickt die Bahn um %1°.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the program dwells there.</source>
+        <translation>Zeile %1 des Programms verweilt dort.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

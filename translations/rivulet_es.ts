@@ -2670,6 +2670,42 @@
         <source>Wrong motion: points were repeated after point %1.</source>
         <translation>Movimiento erróneo: tras el punto %1 se repitieron puntos.</translation>
     </message>
+    <message>
+        <source>The control recorded a dwell of %1 s in line %2.</source>
+        <translation>El control registró una espera de %1 s en la línea %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded an auxiliary function of %1 s in line %2.</source>
+        <translation>El control registró una función auxiliar de %1 s en la línea %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded M%1 in line %2.</source>
+        <translation>El control registró M%1 en la línea %2.</translation>
+    </message>
+    <message>
+        <source>The override was 0 while the axes stood.</source>
+        <translation>El override era 0 mientras los ejes estaban parados.</translation>
+    </message>
+    <message>
+        <source>A write of %1 values was answered %2 ms before the axes moved again.</source>
+        <translation>La escritura de %1 valores se respondió %2 ms antes de que los ejes volvieran a moverse.</translation>
+    </message>
+    <message>
+        <source>The program on the control has a STOPRE between line %1 and line %2.</source>
+        <translation>El programa en el control tiene un STOPRE entre la línea %1 y la línea %2.</translation>
+    </message>
+    <message>
+        <source>The program on the control jumps from line %1 back to line %2.</source>
+        <translation>El programa en el control salta de la línea %1 atrás a la línea %2.</translation>
+    </message>
+    <message>
+        <source>The path turns by %1° there.</source>
+        <translation>Allí la trayectoria gira %1°.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the program dwells there.</source>
+        <translation>La línea %1 del programa espera allí.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -2670,6 +2670,42 @@
         <source>Wrong motion: points were repeated after point %1.</source>
         <translation>Mouvement erroné&#xa0;: des points ont été répétés après le point %1.</translation>
     </message>
+    <message>
+        <source>The control recorded a dwell of %1 s in line %2.</source>
+        <translation>La commande a enregistré une temporisation de %1&#xa0;s à la ligne %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded an auxiliary function of %1 s in line %2.</source>
+        <translation>La commande a enregistré une fonction auxiliaire de %1&#xa0;s à la ligne %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded M%1 in line %2.</source>
+        <translation>La commande a enregistré M%1 à la ligne %2.</translation>
+    </message>
+    <message>
+        <source>The override was 0 while the axes stood.</source>
+        <translation>L’override était à 0 pendant que les axes étaient à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>A write of %1 values was answered %2 ms before the axes moved again.</source>
+        <translation>L’écriture de %1 valeurs a reçu sa réponse %2&#xa0;ms avant que les axes ne repartent.</translation>
+    </message>
+    <message>
+        <source>The program on the control has a STOPRE between line %1 and line %2.</source>
+        <translation>Le programme sur la commande a un STOPRE entre la ligne %1 et la ligne %2.</translation>
+    </message>
+    <message>
+        <source>The program on the control jumps from line %1 back to line %2.</source>
+        <translation>Le programme sur la commande saute de la ligne %1 en arrière à la ligne %2.</translation>
+    </message>
+    <message>
+        <source>The path turns by %1° there.</source>
+        <translation>La trajectoire y tourne de %1°.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the program dwells there.</source>
+        <translation>La ligne %1 du programme y fait une temporisation.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -2670,6 +2670,42 @@
         <source>Wrong motion: points were repeated after point %1.</source>
         <translation>Movimento errato: dopo il punto %1 alcuni punti sono stati ripetuti.</translation>
     </message>
+    <message>
+        <source>The control recorded a dwell of %1 s in line %2.</source>
+        <translation>Il controllo ha registrato una sosta di %1 s alla riga %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded an auxiliary function of %1 s in line %2.</source>
+        <translation>Il controllo ha registrato una funzione ausiliaria di %1 s alla riga %2.</translation>
+    </message>
+    <message>
+        <source>The control recorded M%1 in line %2.</source>
+        <translation>Il controllo ha registrato M%1 alla riga %2.</translation>
+    </message>
+    <message>
+        <source>The override was 0 while the axes stood.</source>
+        <translation>L’override era 0 mentre gli assi erano fermi.</translation>
+    </message>
+    <message>
+        <source>A write of %1 values was answered %2 ms before the axes moved again.</source>
+        <translation>La scrittura di %1 valori ha avuto risposta %2 ms prima che gli assi ripartissero.</translation>
+    </message>
+    <message>
+        <source>The program on the control has a STOPRE between line %1 and line %2.</source>
+        <translation>Il programma sul controllo ha uno STOPRE tra la riga %1 e la riga %2.</translation>
+    </message>
+    <message>
+        <source>The program on the control jumps from line %1 back to line %2.</source>
+        <translation>Il programma sul controllo salta dalla riga %1 indietro alla riga %2.</translation>
+    </message>
+    <message>
+        <source>The path turns by %1° there.</source>
+        <translation>Lì il percorso piega di %1°.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the program dwells there.</source>
+        <translation>La riga %1 del programma vi sosta.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

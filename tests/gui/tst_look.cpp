@@ -210,7 +210,8 @@ class TestLook : public QObject {
     for (const QLabel* label : m_window->findChildren<QLabel*>()) {
       const QString text = label->isVisible() ? label->text() : QString();
       if (!text.contains(QLatin1Char('[')) && words.match(text).hasMatch()) {
-        m_faults.append(name + QStringLiteral(": not translated: ") + text);
+        m_faults.append(QStringLiteral("%1: %2 not translated: %3")
+                            .arg(name, label->objectName(), text.simplified()));
       }
     }
   }

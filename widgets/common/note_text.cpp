@@ -21,7 +21,7 @@ struct NotePattern {
   const char* said;
 };
 
-constexpr std::array<NotePattern, 39> kNotes{{
+constexpr std::array<NotePattern, 48> kNotes{{
     {"access form: %1", QT_TRANSLATE_NOOP("NoteTexts", "Form of access: %1.")},
     {"program %1: %2, %3, %4", QT_TRANSLATE_NOOP("NoteTexts", "Program %1: %2, %3, %4.")},
     {"network: nothing has come from the control for %1 s",
@@ -119,6 +119,29 @@ constexpr std::array<NotePattern, 39> kNotes{{
                        "Wrong motion: after point %1 the tool is %2 mm off the path.")},
     {"wrong motion: points were repeated after point %1",
      QT_TRANSLATE_NOOP("NoteTexts", "Wrong motion: points were repeated after point %1.")},
+    // Why the axes stood.
+    {"the control recorded a dwell of %1 s in line %2",
+     QT_TRANSLATE_NOOP("NoteTexts", "The control recorded a dwell of %1 s in line %2.")},
+    {"the control recorded an auxiliary function of %1 s in line %2",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The control recorded an auxiliary function of %1 s in line %2.")},
+    {"the control recorded M%1 in line %2",
+     QT_TRANSLATE_NOOP("NoteTexts", "The control recorded M%1 in line %2.")},
+    {"the override was 0 while the axes stood",
+     QT_TRANSLATE_NOOP("NoteTexts", "The override was 0 while the axes stood.")},
+    {"a write of %1 values was answered %2 ms before the axes moved again",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "A write of %1 values was answered %2 ms before the axes moved again.")},
+    {"the program on the control has a STOPRE between line %1 and line %2",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The program on the control has a STOPRE between line %1 and line %2.")},
+    {"the program on the control jumps from line %1 back to line %2",
+     QT_TRANSLATE_NOOP("NoteTexts",
+                       "The program on the control jumps from line %1 back to line %2.")},
+    {"the path turns by %1 degrees there",
+     QT_TRANSLATE_NOOP("NoteTexts", "The path turns by %1° there.")},
+    {"line %1 of the program dwells there",
+     QT_TRANSLATE_NOOP("NoteTexts", "Line %1 of the program dwells there.")},
 }};
 
 /// Words that stand in the place of a variable part.

@@ -3,6 +3,7 @@
 
 #include "widgets/trace/stop_model.h"
 
+#include "widgets/common/note_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/trace_text.h"
 
@@ -32,7 +33,7 @@ StopModel::StopModel(QObject* parent)
            {[] { return tr("Cause"); }, &causeText, false,
             [](const StopRow& stop, int role) {
               return role == Qt::ToolTipRole && !stop.evidence.empty()
-                         ? QVariant(QString::fromStdString(stop.evidence))
+                         ? QVariant(noteText(QString::fromStdString(stop.evidence)))
                          : QVariant();
             }}},
           parent) {
