@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Notes of a run in the language of the operator. Core and recordings have them in English.
+/// Notes of a run, and why its axes stood, in the language of the operator. Core and recordings
+/// have them in English.
 /// @threadsafety GUI thread.
 #pragma once
 
