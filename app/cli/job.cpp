@@ -47,6 +47,7 @@
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
+#include "templates/target.h"
 #include "trace/analysis/tool_use.h"
 
 namespace rivulet::cli {
@@ -110,19 +111,21 @@ class JobConsole final : public streaming::WholeJobSink, public ConsoleOrders {
 
 /// For the person at the control.
 std::string readMe(const job::Plan& plan, const job::JobPrograms& programs) {
+  const bool hasLoop = programs.loop.isOwnFile;
   std::string text = fmt::format(
       "Job {} of {}\n\n"
-      "1. Copy {} to the part programs of the control, and {} to its subprograms.\n"
-      "   Do not change them.\n"
+      "1. Copy {} to the part programs of the control{}.\n"
+      "   Do not change {}.\n"
       "2. Set up work offset, tools and stock as for {} itself.\n"
       "3. Select {} in channel 1. The cells begin at R{}: nothing else may use R{} to R{}.\n"
       "4. Press cycle start. Nothing moves before Rivulet has connected.\n\n"
       "The control executes {} blocks itself, and Rivulet streams {} stretches between them.\n"
       "Stop in Rivulet ends the job after the window in motion, or before the next block.\n"
       "Emergency stop, feed override and reset at the control work as always.\n\n",
-      programs.number, plan.program.name, programs.mainName, programs.loop.name, plan.program.name,
-      programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
-      programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
+      programs.number, plan.program.name, programs.mainName,
+      hasLoop ? fmt::format(", and {} to its subprograms", programs.loop.name) : "",
+      hasLoop ? "them" : "it", plan.program.name, programs.mainName, programs.loop.cells.run,
+      programs.loop.cells.run, programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
   for (const job::FunctionUse& use : plan.functions) {
     text += job::describe(use) + '\n';
   }
@@ -329,13 +332,15 @@ base::Result<void> JobCommand::writeFiles() const {
   const std::filesystem::path folder(m_options.output);
   std::error_code status;
   std::filesystem::create_directories(folder, status);
-  const std::array<std::pair<std::string, std::string>, 4> files{
-      {{m_programs.mainName, m_programs.mainText},
-       {m_programs.loop.name, m_programs.loop.text},
-       {"README.txt", readMe(m_plan, m_programs)},
-       {"job.json", report::planJson(m_plan).dump(
-                        2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                        "\n"}}};
+  std::vector<std::pair<std::string, std::string>> files{
+      {m_programs.mainName, m_programs.mainText},
+      {"README.txt", readMe(m_plan, m_programs)},
+      {"job.json", report::planJson(m_plan).dump(2, ' ', false,
+                                                 nlohmann::ordered_json::error_handler_t::replace) +
+                       "\n"}};
+  if (m_programs.loop.isOwnFile) {
+    files.insert(files.begin() + 1, {m_programs.loop.name, m_programs.loop.text});
+  }
   for (const auto& [name, text] : files) {
     if (const auto written = base::writeFile((folder / name).string(), text); !written) {
       return written;
@@ -368,24 +373,31 @@ base::Result<void> JobCommand::connect() {
     return base::fail(connection.error());
   }
   m_connection = std::move(*connection);
-  if (!m_connection.control->isVirtualMachine()) {
+  const auto identity = m_connection.control->identity();
+  if (!identity) {
+    return base::fail(identity.error());
+  }
+  const templates::TargetControl target = templates::targetOf(identity->applicationUri);
+  if (!m_connection.control->isVirtualMachine() && target == templates::TargetControl::Sinumerik) {
     return base::fail(streaming::StreamError::NotCommissioned,
-                      "Whole jobs run on virtual machines only so far. Nothing was changed on the "
-                      "control.",
+                      "Whole jobs run on virtual machines and on LinuxCNC only so far. Nothing was "
+                      "changed on the control.",
                       m_connection.name);
   }
-  const double silenceLimitS = m_settings.parameters.silenceLimitS;
+  const templates::TemplateParameters before = m_settings.parameters;
+  m_settings.parameters = templates::forTarget(m_settings.parameters, target);
   if (base::Result<void> taken =
           takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
       !taken) {
     return taken;
   }
-  if (m_settings.parameters.silenceLimitS != silenceLimitS) {
+  if (m_settings.parameters.target != before.target ||
+      m_settings.parameters.silenceLimitS != before.silenceLimitS) {
     if (base::Result<void> made = makePrograms(); !made) {
       return made;
     }
   }
-  // Wrong motion of a virtual machine does no harm.
+  // Wrong motion of a virtual machine does no harm; LinuxCNC reads a pin when it passes the block.
   m_settings.isCommissioned = true;
   if (!m_options.simulate) {
     m_settings.origin = report::thisUser();

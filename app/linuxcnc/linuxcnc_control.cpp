@@ -97,16 +97,21 @@ std::optional<WindowProtocol::Header> headerOf(std::size_t output) {
       return WindowProtocol::State;
     case LinuxCncProtocol::Owner:
       return WindowProtocol::Owner;
+    case LinuxCncProtocol::Call:
+      return WindowProtocol::Asked;
+    case LinuxCncProtocol::Block:
+      return WindowProtocol::Client;
     default:
       return std::nullopt;
   }
 }
 
-/// Those that a program sets to 0 when it starts; the layout number comes last.
+/// Those that a program sets to 0 when it starts, and the loop of a job at each stretch; the layout
+/// number comes last.
 constexpr std::array kResetAtStart{WindowProtocol::Run,     WindowProtocol::Delivered,
                                    WindowProtocol::Latched, WindowProtocol::Executed,
                                    WindowProtocol::State,   WindowProtocol::Client,
-                                   WindowProtocol::Owner,   WindowProtocol::OverrideActs};
+                                   WindowProtocol::Owner};
 
 }  // namespace
 
@@ -277,23 +282,28 @@ void LinuxCncControl::takeOutputs(std::string_view values) {
   m_firstCell = static_cast<int>(std::clamp(base, 0.0, 1e6));
   const auto cellOf = [&](WindowProtocol::Header header) { return m_firstCell + header; };
   const bool fits = hasRParameter(m_firstCell + WindowProtocol::HeaderCells - 1);
-  const bool starts =
-      !m_outputs.empty() && outputs[LinuxCncProtocol::Start] != m_outputs[LinuxCncProtocol::Start];
-  if (starts && fits) {
+  for (std::size_t output = 0; fits && output < outputs.size(); ++output) {
+    const auto header = headerOf(output);
+    const bool isClients =
+        output == LinuxCncProtocol::Block && outputs[output] == LinuxCncProtocol::kNoBlock;
+    if (header && !isClients && (m_outputs.empty() || outputs[output] != m_outputs[output])) {
+      setCell(cellOf(*header), outputs[output]);
+    }
+  }
+  const double start = outputs[LinuxCncProtocol::Start];
+  if (fits && !m_outputs.empty() && start != m_outputs[LinuxCncProtocol::Start]) {
     for (const WindowProtocol::Header header : kResetAtStart) {
       setCell(cellOf(header), 0.0);
     }
-    setCell(cellOf(WindowProtocol::Override), FeedCell::kProgrammed);
-    readMarks();
-    const double limitS = outputs[LinuxCncProtocol::SilenceLimit];
-    tell(fmt::format("started {} {}", base::formatNumber(outputs[LinuxCncProtocol::Start]),
-                     base::formatNumber(limitS > 0.0 ? limitS : kBridgeSilenceS)));
-  } else if (fits) {
-    for (std::size_t output = 0; output < outputs.size(); ++output) {
-      const auto header = headerOf(output);
-      if (header && (m_outputs.empty() || outputs[output] != m_outputs[output])) {
-        setCell(cellOf(*header), outputs[output]);
-      }
+    if (outputs[LinuxCncProtocol::Stretch] == 0.0) {
+      setCell(cellOf(WindowProtocol::OverrideActs), 0.0);
+      setCell(cellOf(WindowProtocol::Override), FeedCell::kProgrammed);
+      readMarks();
+      const double limitS = outputs[LinuxCncProtocol::SilenceLimit];
+      tell(fmt::format("started {} {}", base::formatNumber(start),
+                       base::formatNumber(limitS > 0.0 ? limitS : kBridgeSilenceS)));
+    } else {
+      tell(fmt::format("called {}", base::formatNumber(start)));
     }
   }
   m_outputs = std::move(outputs);

@@ -12,17 +12,15 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "job/main_writer.h"
+#include "job/plan_writer.h"
 #include "nc/nc_number.h"
-#include "nc/syntax/lexer.h"
-#include "nc/syntax/parser.h"
-#include "templates/feed_cell.h"
 
 namespace rivulet::job {
 
 namespace {
 
 using templates::JobProtocol;
-using templates::WindowProtocol;
 
 class Category final : public std::error_category {
  public:
@@ -45,38 +43,14 @@ class Category final : public std::error_category {
         return "not what a control does for an M function";
       case JobError::NotDry:
         return "no dry run";
+      case JobError::NotTranslated:
+        return "no words for a block on this control";
     }
     return "unknown error";
   }
 };
 
-/// Before a native block a client may stop or hold the job, except where blocks belong together.
 constexpr std::string_view kNamePrefix = "RIVJOB_";
-
-bool mayWaitBefore(NativeReason reason) {
-  return reason >= NativeReason::Tool;
-}
-
-/// A block without the words that end a program: what it does besides is done before. Nothing that
-/// stands behind RET is executed.
-std::string withoutEnd(std::string_view block) {
-  nc::Lexer lexer(block, nc::Dialect::Sinumerik);
-  nc::Block words;
-  std::string left;
-  const char* at = block.data();
-  while (lexer.next(words)) {
-    for (const nc::Token& token : words.tokens) {
-      const nc::EndWord end = nc::endWordOf(token);
-      if (end == nc::EndWord::None) {
-        left.append(at, token.text.data() + token.text.size());
-      } else if (end == nc::EndWord::Ret) {
-        return left;
-      }
-      at = token.text.data() + token.text.size();
-    }
-  }
-  return left;
-}
 
 /// After such a block the same coordinates may be another place.
 bool mayShift(const NativeBlock& native) {
@@ -93,248 +67,6 @@ bool mayShift(const NativeBlock& native) {
       return native.setsFrame;
   }
 }
-
-/// Goes through a plan: what stands before a native block, so that it runs in the modal state of
-/// the source program, and the frame that a stretch must not have.
-class PlanWriter {
- public:
-  explicit PlanWriter(const Plan& plan) : m_plan(plan) {}
-  virtual ~PlanWriter() = default;
-
- protected:
-  /// What stands in place of a stretch.
-  virtual void writeStreamed(const Stretch& stretch) = 0;
-  /// Before a native block. @param number  of it, from 1
-  virtual void writeDue(const NativeBlock& native, int number) = 0;
-  /// What is written of a native block.
-  [[nodiscard]] virtual const std::string& textOf(const NativeBlock& native) const {
-    return native.text;
-  }
-  /// Just before the text of a native block.
-  virtual void beforeText(const std::string& /*text*/) {}
-  /// The text of a native block has just been written.
-  virtual void written(const NativeBlock& /*native*/, int /*number*/) {}
-
-  void writeParts(std::size_t until) {
-    bool isAfterNative = false;
-    for (std::size_t at = 0; at < std::min(until, m_plan.parts.size()); ++at) {
-      const Part& part = m_plan.parts[at];
-      if (const auto* const native = std::get_if<NativeBlock>(&part)) {
-        ++m_natives;
-        if (!native->text.empty()) {
-          writeNative(*native, isAfterNative);
-          isAfterNative = !native->isInserted;
-        }
-        continue;
-      }
-      isAfterNative = false;
-      if (const auto& stretch = std::get<Stretch>(part); stretch.number > 0) {
-        line("; STRETCH {}: lines {} to {}, {} points", stretch.number,
-             stretch.blocks.front().line.value, stretch.blocks.back().line.value,
-             stretch.pointCount);
-        line("G710 DIAMOF G40");
-        cancelFrame();
-        writeStreamed(stretch);
-      }
-    }
-  }
-
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(m_text), text, std::forward<Arguments>(arguments)...);
-    m_text += '\n';
-    ++m_lines;
-  }
-  /// @param text  one line or several
-  void lines(const std::string& text) {
-    m_text += text;
-    m_text += '\n';
-    m_lines += 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
-  }
-
-  /// Only if there is one: after TRANS an increment counts from the coordinates before it, even if
-  /// nothing has changed but the tool.
-  void cancelFrame() {
-    if (m_hasFrame) {
-      line("TRANS");
-      m_hasFrame = false;
-    }
-  }
-
-  /// The feed of streamed points has the override in it already.
-  void cancelOverride() {
-    if (m_hasOverride) {
-      line("OVR=100");
-      m_hasOverride = false;
-    }
-  }
-
-  [[nodiscard]] const Plan& plan() const { return m_plan; }
-  [[nodiscard]] unsigned lineCount() const { return m_lines; }
-  [[nodiscard]] std::string take() { return std::move(m_text); }
-
- private:
-  void writeNative(const NativeBlock& native, bool isAfterNative) {
-    line("; LINE {}{}: {}", native.file.empty() ? std::string() : native.file + " ",
-         native.place.line.value, nativeReasonName(native.reason));
-    writeDue(native, m_natives);
-    const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
-    if (isForeign) {
-      line("G17 G90 G94 G710 DIAMOF");  // a tool length of the others acts along Z in each plane
-    } else if (!isAfterNative) {
-      line("G710 DIAMOF");
-      cancelFrame();
-      for (const std::string& frame : native.frame) {
-        line("{}", frame);
-      }
-      if (native.before.feedOverride == 1.0) {
-        cancelOverride();
-      }
-      line("{}", modalWords(native.before));
-      m_hasFrame = !native.frame.empty();
-    }
-    beforeText(textOf(native));
-    lines(textOf(native));
-    written(native, m_natives);
-    m_hasOverride = m_hasOverride || native.before.feedOverride != 1.0 ||
-                    base::toUpper(native.text).find("OVR") != std::string::npos;
-    m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
-  }
-
-  const Plan& m_plan;
-  std::string m_text;
-  unsigned m_lines = 0;
-  int m_natives = 0;
-  bool m_hasFrame = false;     ///< the control may have one
-  bool m_hasOverride = false;  ///< the same
-};
-
-class MainWriter final : public PlanWriter {
- public:
-  MainWriter(const Plan& plan, const templates::JobLoop& loop, int number)
-      : PlanWriter(plan), m_loop(loop), m_number(number) {
-    for (const Part& part : plan.parts) {
-      const auto* const native = std::get_if<NativeBlock>(&part);
-      if (native == nullptr || !native->text.empty()) {
-        m_last = native;
-      }
-    }
-    m_lastText = m_last != nullptr ? withoutEnd(m_last->text) : std::string();
-  }
-
-  std::string write() {
-    writeHead();
-    writeParts(plan().parts.size());
-    writeDone();
-    line("RIV_END:");
-    line("M30");
-    return take();
-  }
-
- private:
-  void writeHead() {
-    line("; RIVULET JOB {}: {} OF {}", m_number, plan().program.hash, plan().program.name);
-    line("; {} stretches are streamed by the client, {} blocks are executed here.",
-         plan().stretchCount(), plan().nativeCount());
-    line("; Do not edit: the client relies on every line. Needs {}.", m_loop.name);
-    line("; Nothing moves before the client has connected.");
-    line("EXTERN {}(REAL,REAL,REAL)", subprogramName(m_loop));
-    line("DEF REAL RIV_RUN");
-    for (const std::string& block : templates::feedCellBlocks(m_loop.cells)) {
-      line("{}", block);
-    }
-    line("{}({},0,0)", subprogramName(m_loop), m_number);
-    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
-         static_cast<int>(templates::WindowState::Done));
-    line("RIV_RUN=R{}", m_loop.cells.owner);
-    writeBlock(0);
-    line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
-  }
-
-  void writeStreamed(const Stretch& stretch) override {
-    // The loop clears its cells when it is interpreted: not before the native blocks are done.
-    cancelOverride();
-    line("STOPRE");
-    writeBlock(-m_due);
-    line("{}({},{},RIV_RUN+{})", subprogramName(m_loop), m_number, stretch.number, stretch.number);
-    line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
-         static_cast<int>(templates::WindowState::Done));
-    writeBlock(0);
-    m_due = 0;
-  }
-
-  /// The block cell is written when the axes have got there: what is interpreted is far ahead of
-  /// them, and a reset would leave the number of a block that nobody has executed.
-  void writeDue(const NativeBlock& native, int number) override {
-    m_due = number;
-    m_isDueWithMotion = false;
-    if (&native == m_last && base::trim(m_lastText).empty()) {
-      return;
-    }
-    if (mayWaitBefore(native.reason)) {
-      writeWait(number - 1);
-      writeBlock(number);
-    } else if (native.reason == NativeReason::Retract) {
-      line("STOPRE");
-      writeBlock(number);
-    } else {
-      m_isDueWithMotion = true;
-    }
-  }
-
-  void writeDone() {
-    line("STOPRE");
-    writeBlock(doneNumber(plan()));
-  }
-
-  void writeBlock(int value) {
-    line("R{}={}", blockCell(m_loop), value);
-    m_block = value;
-  }
-
-  /// A trace of the control names lines alone: where the loop moves, this program does not.
-  void beforeText(const std::string& text) override {
-    if (m_isDueWithMotion) {
-      // In the main run, with the block that follows; too late, if that is not one of the main run.
-      line("WHEN $R{0}=={1} DO $R{0}={2}", blockCell(m_loop), m_block, m_due);
-      m_block = m_due;
-    }
-    const auto count = 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
-    const auto isTaken = [this, count](std::uint32_t motion) {
-      return motion > lineCount() && motion <= lineCount() + count;
-    };
-    while (std::any_of(m_loop.motionLines.begin(), m_loop.motionLines.end(), isTaken)) {
-      line(";");
-    }
-  }
-
-  /// Stop and hold between two native blocks. The axes stand. @param done  blocks up to here
-  void writeWait(int done) {
-    ++m_waits;
-    line("STOPRE");
-    writeBlock(-done);
-    line("RIV_W{}:", m_waits);
-    line("STOPRE");
-    line("IF R{}=={} GOTOF RIV_END", m_loop.cells.run, WindowProtocol::kEnd);
-    line("IF R{}<>{} GOTOF RIV_G{}", m_loop.cells.run, WindowProtocol::kHold, m_waits);
-    line("G4 F0.02");
-    line("GOTOB RIV_W{}", m_waits);
-    line("RIV_G{}:", m_waits);
-  }
-
-  [[nodiscard]] const std::string& textOf(const NativeBlock& native) const override {
-    return &native == m_last ? m_lastText : native.text;
-  }
-
-  const templates::JobLoop& m_loop;
-  int m_number;
-  const NativeBlock* m_last = nullptr;  ///< with which the job ends; null: with a stretch
-  std::string m_lastText;               ///< without the end of the program
-  int m_waits = 0;
-  int m_due = 0;    ///< the last native block since the stretch; 0: none
-  int m_block = 0;  ///< in the block cell, where the program is
-  bool m_isDueWithMotion = false;
-};
 
 /// The words of a point, "X1 Y2 C90", as far as the program has named the axes.
 std::string pointWords(const gcode::Trajectory& trajectory, std::size_t point) {
@@ -544,37 +276,6 @@ int blockCell(const templates::JobLoop& loop) {
   return loop.cells.client;
 }
 
-std::string modalWords(const nc::ModalState& state) {
-  static constexpr std::array<std::string_view, 4> kMotions{"G0", "G1", "G2", "G3"};
-  std::string words;
-  if (state.motion < nc::Motion::None) {
-    words += fmt::format("{} ", kMotions[static_cast<std::size_t>(state.motion)]);
-  }
-  words += state.planeFirstAxis == 0 ? "G17" : state.planeFirstAxis == 2 ? "G18" : "G19";
-  words += state.relative ? " G91" : " G90";
-  const bool inches = state.lengthFactor != 1.0;
-  words += !inches ? " G710" : state.feedFactor != 1.0 ? " G700" : " G70";
-  words += !state.diameter ? " DIAMOF" : state.diameterIncrements ? " DIAMON" : " DIAM90";
-  words += state.blockEnd == nc::BlockEnd::ExactStop ? " G60" : " G64";
-  if (state.feedMode == nc::FeedMode::PerRevolution) {
-    words += " G95";
-    if (state.feedMmPerRev > 0.0) {
-      words += " F" + nc::ncNumber(state.feedMmPerRev / state.lengthFactor);
-    }
-  } else if (state.feedMode == nc::FeedMode::InverseTime) {
-    words += " G93";
-  } else {
-    words += " G94";
-    if (state.feedMmPerS > 0.0) {
-      words += " F" + nc::ncNumber(state.feedMmPerS * 60.0 / state.feedFactor);
-    }
-  }
-  if (state.feedOverride != 1.0) {
-    words += " OVR=" + nc::ncNumber(100.0 * state.feedOverride);
-  }
-  return words;
-}
-
 Outline outlineOf(const Plan& plan, std::size_t untilPart) {
   return OutlineWriter(plan).write(untilPart);
 }
@@ -612,10 +313,13 @@ base::Result<JobPrograms> makePrograms(const Plan& plan,
   }
   constexpr std::uint64_t kNumbers = (1U << 24U) - 1;
   JobPrograms programs;
-  const std::string unnumbered = MainWriter(plan, *loop, 0).write();
-  programs.number = 1 + static_cast<int>(base::hashOf(unnumbered + loop->text) % kNumbers);
+  const base::Result<std::string> unnumbered = mainProgramOf(plan, *loop, 0);
+  if (!unnumbered) {
+    return base::fail(unnumbered.error());
+  }
+  programs.number = 1 + static_cast<int>(base::hashOf(*unnumbered + loop->text) % kNumbers);
   programs.mainName = mainNameOf({programs.number, parameters.baseCell});
-  programs.mainText = MainWriter(plan, *loop, programs.number).write();
+  programs.mainText = *mainProgramOf(plan, *loop, programs.number);
   programs.loop = std::move(*loop);
   return programs;
 }

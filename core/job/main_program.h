@@ -28,6 +28,7 @@ enum class JobError {
   BeyondMachine,      ///< travel, tools or what the machine refuses
   FunctionMalformed,  ///< no number of an M function, or nothing that the control does for it
   NotDry,             ///< a block cannot be raised, or turns the spindle itself (`dryPlan`)
+  NotTranslated,      ///< the control has no words for a native block
 };
 [[nodiscard]] std::error_code make_error_code(JobError code);
 
@@ -52,8 +53,8 @@ struct JobPrograms {
 [[nodiscard]] base::Result<void> requireWhole(const Plan& plan);
 
 /// @param parameters  see `templates::makeJobLoop`
-/// @return NotWhole, ReadsVariables, IncrementInFrame, TooManyStretches, or the errors of
-/// `makeJobLoop`
+/// @return NotWhole, ReadsVariables, IncrementInFrame, TooManyStretches, NotTranslated, or
+/// the errors of `makeJobLoop`
 [[nodiscard]] base::Result<JobPrograms> makePrograms(
     const Plan& plan, const templates::TemplateParameters& parameters);
 
@@ -89,9 +90,6 @@ struct Outline {
 /// `doneNumber`: all of the job.
 [[nodiscard]] int blockCell(const templates::JobLoop& loop);
 [[nodiscard]] int doneNumber(const Plan& plan);
-
-/// The words that put a control into the modal state, "G1 G17 G90 G710 DIAMOF G64 G94 F500".
-[[nodiscard]] std::string modalWords(const nc::ModalState& state);
 
 }  // namespace rivulet::job
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "templates/method_template.h"
@@ -12,6 +14,9 @@
 namespace rivulet::templates {
 
 namespace {
+
+/// After these lines a loop waits for the client, when it has executed a stretch.
+constexpr std::array<std::string_view, 2> kExecuted{"RIV_EXECUTED:", "o180 while"};
 
 /// Where the loop moves, and where it waits after a stretch.
 void findLines(JobLoop& loop) {
@@ -26,7 +31,8 @@ void findLines(JobLoop& loop) {
     if (line.starts_with("G1 ")) {
       loop.motionLines.push_back(number);
     }
-    isExecuted = isExecuted || line == "RIV_EXECUTED:";
+    isExecuted = isExecuted || std::any_of(kExecuted.begin(), kExecuted.end(),
+                                           [&](auto begin) { return line.starts_with(begin); });
     if (isExecuted && loop.handoverLine == 0 && line.starts_with("G4 ")) {
       loop.handoverLine = number;
     }
@@ -51,20 +57,15 @@ base::Result<JobLoop> makeJobLoop(const TemplateParameters& wanted) {
         TemplateError::BadCorrection,
         "A whole job has no online correction: its native blocks would take it along.");
   }
-  if (parameters.target != TargetControl::Sinumerik) {
-    return base::fail(
-        TemplateError::NotOnTarget,
-        fmt::format("A whole job runs on a SINUMERIK: there is no loop for {}. Stream "
-                    "the program as a single run.",
-                    targetTitle(parameters.target)));
-  }
-  const std::string name = fmt::format("RIVLOOP_{}", program->layoutNumber);
+  const bool isSinumerik = parameters.target == TargetControl::Sinumerik;
+  const std::string name =
+      fmt::format("{}_{}", isSinumerik ? "RIVLOOP" : "rivloop", program->layoutNumber);
   const auto method = methodTemplate(parameters).asSubprogram(name);
   if (!method) {
     return base::fail(TemplateError::BadCells, "A whole job runs with method window or credit.");
   }
-  JobLoop loop{std::move(*program), 0, {}, 0};
-  loop.name = name + ".SPF";
+  JobLoop loop{std::move(*program), isSinumerik, 0, {}, 0};
+  loop.name = isSinumerik ? name + ".SPF" : name;
   loop.callCell = JobProtocol::callCell(loop.cells);
   loop.text = method->program(parameters, loop.cells, loop.layoutNumber);
   findLines(loop);

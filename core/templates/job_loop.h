@@ -55,6 +55,8 @@ struct JobProtocol {
 /// The program on the control during each stretch. Its layout number is that of the program of its
 /// method, of which it is a variant.
 struct JobLoop : FlexibleProgram {
+  /// False: the main program begins with its text, so that both count the same lines.
+  bool isOwnFile = true;
   int callCell = 0;  ///< NC: `JobProtocol::callNumber`, negative: executed
   /// Lines of `text` that move to a point, ascending, from 1.
   std::vector<std::uint32_t> motionLines;
@@ -62,11 +64,11 @@ struct JobLoop : FlexibleProgram {
   std::uint32_t handoverLine = 0;
 };
 
-/// The name of a loop as a subprogram: its file name without ending.
+/// The name of a loop as a subprogram: that of its file, if it has one, without ending.
 [[nodiscard]] std::string_view subprogramName(const JobLoop& loop);
 
-/// @param parameters  method window or credit on a SINUMERIK, without online correction
-/// @return the errors of `requireProgram`, BadCorrection, NotOnTarget, BadCells for another method
+/// @param parameters  method window or credit, without online correction
+/// @return the errors of `requireProgram`, BadCorrection, BadCells for another method
 [[nodiscard]] base::Result<JobLoop> makeJobLoop(const TemplateParameters& parameters);
 
 }  // namespace rivulet::templates

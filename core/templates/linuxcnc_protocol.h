@@ -26,8 +26,15 @@ struct LinuxCncProtocol {
     Owner,
     Base,          ///< number of the first cell
     SilenceLimit,  ///< as in `WindowSettings`, s; set before `Start`
+    /// Of a whole job; set before `Start`. Other than 0: the program goes on, so that `Start`
+    /// leaves the feed cell as it is and tries nothing.
+    Stretch,
+    Call,   ///< the call cell, see `JobProtocol`
+    Block,  ///< of a whole job, between two stretches: see `job::blockCell`
     Outputs,
   };
+  /// In `Block`: the cell is the client's.
+  static constexpr double kNoBlock = -0.5;
   /// `#<_hal[rivulet.r-12]>`: pin of cell 12.
   /// Method credit: comment at the end of every motion block, followed by the number of its window
   /// in the ring, from 0. The bridge takes from it and from the line in motion which windows the

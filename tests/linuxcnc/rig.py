@@ -21,7 +21,7 @@ import time
 
 TOLERANCE_MM = 0.05  # that of Rivulet's own judgement of traces
 CYCLE_S = 0.001
-WORDS = 10  # of a recorded sample
+WORDS = 14  # of a recorded sample
 CLIENT_S = 150.0
 RECORDER_S = 30.0  # more than the sampler holds
 SKIPPED = 77
@@ -51,7 +51,9 @@ class Sample:
         self.set = tuple(numbers[1:4])
         self.actual = tuple(numbers[4:7])
         self.speed = numbers[7]
-        self.override = numbers[9] if len(numbers) > 9 else 1.0  # 1: as programmed
+        self.override = numbers[9]  # 1: as programmed
+        self.line = int(numbers[8])
+        self.equipment = tuple(numbers[10:14])  # tool, speed of the spindle, flood, mist
 
 
 def has_priority():

@@ -226,7 +226,7 @@ class TestLinuxCncControl : public QObject {
     QVERIFY(made);
     LinuxCncControl& control = **made;
     // Base 10; latched 5 and executed 4 of an earlier run.
-    QVERIFY(helper.say(control, "out 1.0 5.0 4.0 77.0 1.0 9.0 10.0 0.0\n",
+    QVERIFY(helper.say(control, "out 1.0 5.0 4.0 77.0 1.0 9.0 10.0 0.0 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(12) == 5.0; }));
     QCOMPARE(control.rParameter(13), 4.0);
     QCOMPARE(control.rParameter(14), 77.0);
@@ -234,7 +234,7 @@ class TestLinuxCncControl : public QObject {
     control.writeRParameter(10, 1.0);
     control.writeRParameter(11, 6.0);
     control.writeRParameter(18, 3.0);
-    QVERIFY(helper.say(control, "out 2.0 5.0 4.0 0.0 1.0 9.0 10.0 0.5\n",
+    QVERIFY(helper.say(control, "out 2.0 5.0 4.0 0.0 1.0 9.0 10.0 0.5 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(12) == 0.0; }));
     for (const int cell : {10, 11, 12, 13, 15, 16, 17}) {
       QCOMPARE(control.rParameter(cell), 0.0);
@@ -243,11 +243,49 @@ class TestLinuxCncControl : public QObject {
     QTRY_VERIFY(helper.heard().contains("started 2 0.5\n"));
     // Only a change is copied: what the client has written since stays.
     control.writeRParameter(11, 1.0);
-    QVERIFY(helper.say(control, "out 2.0 1.0 0.0 78.0 0.0 4.0 10.0 0.5\n",
+    QVERIFY(helper.say(control, "out 2.0 1.0 0.0 78.0 0.0 4.0 10.0 0.5 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(12) == 1.0; }));
     QCOMPARE(control.rParameter(11), 1.0);
     QCOMPARE(control.rParameter(14), 78.0);
     QTRY_VERIFY(helper.heard().contains("set 17 4\n"));
+  }
+
+  /// The loop of a whole job: each stretch clears the cells of the client, and leaves the feed cell
+  /// and the call cell as they are. Between two stretches the block cell is the program's.
+  void stretchesOfAJob() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    const auto says = [&](const QByteArray& outputs, int cell, double value) {
+      return helper.say(control, "out " + outputs + "\n",
+                        [&] { return control.rParameter(cell) == value; });
+    };
+    control.writeRParameter(19, 70'000.0);  // as a job before has left it
+    QVERIFY(says("1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0 0.0 70000.0 -3.0", 14, 77.0));
+    QCOMPARE(control.rParameter(16), -3.0);
+    // All of the start arrives at once.
+    QVERIFY(says("2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0 0.0 0.0 -0.5", 19, 0.0));
+    QCOMPARE(control.rParameter(16), 0.0);
+    QTRY_VERIFY(helper.heard().endsWith("started 2 1\n"));
+    QVERIFY(says("2.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0 0.0 70000.0 -0.5", 19, 70'000.0));
+    control.writeRParameter(16, 555.0);  // number of the client's run
+    QVERIFY(says("2.0 0.0 0.0 77.0 1.0 555.0 10.0 1.0 0.0 -70000.0 -0.5", 19, -70'000.0));
+    QCOMPARE(control.rParameter(16), 555.0);
+    QVERIFY(says("2.0 0.0 0.0 77.0 1.0 555.0 10.0 1.0 0.0 -70000.0 0.0", 16, 0.0));
+    QVERIFY(says("2.0 0.0 0.0 77.0 1.0 555.0 10.0 1.0 0.0 -70000.0 7.0", 16, 7.0));
+    control.writeRParameter(20, 50.0);
+    control.writeRParameter(10, 3.0);
+    control.writeRParameter(11, 9.0);
+    QVERIFY(says("3.0 0.0 0.0 77.0 1.0 555.0 10.0 1.0 1.0 -70000.0 -0.5", 11, 0.0));
+    for (const int cell : {10, 11, 12, 13, 15, 16, 17}) {
+      QCOMPARE(control.rParameter(cell), 0.0);
+    }
+    QCOMPARE(control.rParameter(14), 77.0);
+    QCOMPARE(control.rParameter(19), -70'000.0);
+    QCOMPARE(control.rParameter(20), 50.0);
+    QTRY_VERIFY(helper.heard().endsWith("called 3\n"));
+    QVERIFY(!helper.heard().contains("started 3"));
   }
 
   /// What is not an override holds; a sign of life is a change of the heartbeat.
@@ -256,11 +294,11 @@ class TestLinuxCncControl : public QObject {
     const auto made = LinuxCncControl::connect(helper.options());
     QVERIFY(made);
     LinuxCncControl& control = **made;
-    const QByteArray idle = "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0\n";
+    const QByteArray idle = "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0 0.0 0.0 -0.5\n";
     QVERIFY(helper.say(control, idle, [&] { return control.rParameter(14) == 77.0; }));
     control.writeRParameter(20, 30.0);  // what an earlier program has left
     QVERIFY(helper.say(control, "acts 40.0\n", [&] { return control.rParameter(21) == 40.0; }));
-    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0\n",
+    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(21) == 0.0; }));
     QCOMPARE(control.rParameter(20), 100.0);
     QTRY_VERIFY(helper.heard().endsWith("started 2 1\n"));
@@ -293,11 +331,12 @@ class TestLinuxCncControl : public QObject {
     const auto made = LinuxCncControl::connect(helper.options());
     QVERIFY(made);
     LinuxCncControl& control = **made;
-    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 0.0 0.0 0.0 10.0 0.0\n" + state(2, 7, 0.0, 0.0),
-                       [&] { return control.state().line == 7; }));
+    QVERIFY(helper.say(
+        control, "out 1.0 0.0 0.0 0.0 0.0 0.0 10.0 0.0 0.0 0.0 -0.5\n" + state(2, 7, 0.0, 0.0),
+        [&] { return control.state().line == 7; }));
     QVERIFY(helper.say(control,
-                       "out 2.0 0.0 0.0 77.0 0.0 0.0 10.0 0.0\nout 2.0 0.0 0.0 78.0 0.0 0.0 10.0 "
-                       "0.0\n",
+                       "out 2.0 0.0 0.0 77.0 0.0 0.0 10.0 0.0 0.0 0.0 -0.5\n"
+                       "out 2.0 0.0 0.0 78.0 0.0 0.0 10.0 0.0 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(14) == 78.0; }));
     QTRY_VERIFY(helper.heard().contains("started 2 1\n"));
     const auto beats = [&] { return helper.heard().count("beat\n"); };
@@ -318,11 +357,12 @@ class TestLinuxCncControl : public QObject {
     LinuxCncControl& control = **made;
     QVERIFY(control.storeProgram(
         "PART.MPF", "G90\nG1 X1 ;window 0\nG1 X2 ;window 1\nG1 X3 ;window 2\nM2\n", false));
-    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0\n",
+    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0 0.0 0.0 -0.5\n",
                        [&] { return control.rParameter(14) == 77.0; }));
     QByteArray seen = state(2, 2, 0.0, 0.0);
     seen.replace("/tmp", QByteArray::fromStdString(helper.options().programs.string()));
-    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0\n" + seen + "line 3\n",
+    QVERIFY(helper.say(control,
+                       "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0 0.0 0.0 -0.5\n" + seen + "line 3\n",
                        [&] { return control.state().line == 2; }));
     QCOMPARE(control.rParameter(12), 2.0);  // begun
     QCOMPARE(control.rParameter(13), 1.0);  // executed

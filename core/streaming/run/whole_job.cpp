@@ -344,10 +344,12 @@ class WholeJob : public HostedRun {
     if (Result<void> done = renewClaim(); !done || m_isCancelled) {
       return done;
     }
-    if (const auto loop =
-            storeProgram(m_control, m_flexible.name, m_flexible.text, TransferWay::Link);
-        !loop) {
-      return base::fail(loop.error());
+    if (m_programs.loop.isOwnFile) {
+      const auto loop =
+          storeProgram(m_control, m_flexible.name, m_flexible.text, TransferWay::Link);
+      if (!loop) {
+        return base::fail(loop.error());
+      }
     }
     const Result<ProgramTransfer> main =
         transferProgram(m_control, m_programs.mainName, m_programs.mainText, m_settings.transfer);

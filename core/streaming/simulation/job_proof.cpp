@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "job/main_program.h"
+#include "job/plan_writer.h"
 #include "machine/machine.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/simulated_link.h"

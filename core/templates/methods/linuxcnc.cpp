@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "templates/job_loop.h"
 #include "templates/linuxcnc_protocol.h"
 
 namespace rivulet::templates {
@@ -75,6 +76,17 @@ void writeProgress(Listing& out) {
   out.line("M68 E{} Q#<riv_l>", static_cast<int>(Protocol::Executed));
 }
 
+/// The numbers of the program begin anew, and the bridge sets the cells of the client to 0.
+/// Answered when it has done so: what it has told until then is what these lines have set.
+void writeHandshake(Listing& out) {
+  out.line("#<riv_start>=[{}+1]", readOutput(Protocol::Start));
+  out.line("M68 E{} Q#<riv_start>", static_cast<int>(Protocol::Start));
+  out.line("o90 while [#<_hal[{}]> NE #<riv_start>]", Protocol::kStartedPin);
+  out.line("M66 E0 L0");
+  out.line("G4 P0.01");
+  out.line("o90 endwhile");
+}
+
 /// All that was copied is executed first.
 void writeEnding(Listing& out, WindowState state) {
   out.line("M66 E0 L0");
@@ -83,6 +95,94 @@ void writeEnding(Listing& out, WindowState state) {
   out.line("M52 P0");
   out.line("M2");
 }
+
+/// A pass of a waiting loop in which nothing has come: after too many without a sign of the client
+/// the program ends.
+void writeSilentPass(Listing& out, const CellMap& cells, int label) {
+  out.line("o{} if [{} EQ #<riv_beat>]", label, read(cells.heartbeat));
+  out.line("#<riv_idle>=[#<riv_idle>+1]");
+  out.line("o{} else", label);
+  out.line("#<riv_idle>=0");
+  out.line("#<riv_beat>={}", read(cells.heartbeat));
+  out.line("o{} endif", label);
+  out.line("o{} if [#<riv_idle> GT {}]", label + 1, kSilentPausesMax);
+  writeEnding(out, WindowState::Abandoned);
+  out.line("o{} endif", label + 1);
+}
+
+/// A method's program as the loop of a whole job, at the beginning of the job's program: lines in
+/// motion are told by their number alone. Its arguments are those of `SubprogramTemplate`.
+template <class Base>
+class LinuxCncSubprogramTemplate final : public Base {
+ public:
+  explicit LinuxCncSubprogramTemplate(std::string name) : m_name(std::move(name)) {}
+
+ private:
+  static constexpr std::string_view kStretch = "#2";
+  static constexpr std::string_view kRun = "#3";
+
+  void writeHead(Listing& out) const override {
+    out.line("o<{}> sub", m_name);
+    out.line("; Called for each stretch of a whole job: #1 number of the job, #2 of the stretch,");
+    out.line("; #3 of the run to be obeyed. Stretch 0 waits for the client and moves nothing.");
+  }
+
+  /// The override is that of the whole job.
+  void writeBeginning(Listing& out, const CellMap& cells) const override {
+    out.line("o80 if [{} EQ 0]", kStretch);
+    Base::writeBeginning(out, cells);
+    out.line("o80 endif");
+    out.line("M68 E{} Q{}", static_cast<int>(Protocol::Stretch), kStretch);
+  }
+
+  void writeOwner(Listing& out) const override {
+    out.line("#<riv_own>={}", kRun);
+    out.line("M68 E{} Q#<riv_own>", static_cast<int>(Protocol::Owner));
+  }
+
+  /// The number comes last: who sees it knows that the cells are those of this stretch.
+  void writeReady(Listing& out, const CellMap&) const override { writeCall(out, ""); }
+
+  void writeLeaving(Listing& out, const CellMap& cells) const override {
+    out.line("o115 if [[{} EQ 0] AND [{} EQ {}] AND [#<riv_own> GT 0]]", kStretch, read(cells.run),
+             WindowProtocol::kRun);
+    writeReturn(out);
+    out.line("o115 endif");
+  }
+
+  /// The client has to see that the stretch was executed before the control goes on.
+  void writeDone(Listing& out, const CellMap& cells) const override {
+    out.line("M66 E0 L0");
+    writeProgress(out);
+    out.line("M68 E{} Q{}", static_cast<int>(Protocol::State), static_cast<int>(WindowState::Done));
+    out.line("#<riv_idle>=0");
+    out.line("o180 while [{} NE [{}+{}]]", read(cells.run), kStretch, JobProtocol::goOn(0));
+    out.line("o181 if [{} EQ {}]", read(cells.run), WindowProtocol::kEnd);
+    writeEnding(out, WindowState::Stopped);
+    out.line("o181 endif");
+    writeSilentPass(out, cells, 182);
+    out.line("G4 P0.02");
+    out.line("M66 E0 L0");
+    out.line("o180 endwhile");
+    writeReturn(out);
+  }
+
+  [[nodiscard]] std::string_view endWord() const override { return m_end; }
+
+  void writeReturn(Listing& out) const {
+    out.line("M68 E{} Q{}", static_cast<int>(Protocol::State), static_cast<int>(WindowState::Done));
+    writeCall(out, "-");
+    out.line("o<{}> return", m_name);
+  }
+
+  static void writeCall(Listing& out, std::string_view sign) {
+    out.line("M68 E{} Q[{}[#1*{}+{}]]", static_cast<int>(Protocol::Call), sign,
+             JobProtocol::kStretchesMax + 1, kStretch);
+  }
+
+  std::string m_name;
+  std::string m_end = fmt::format("o<{}> endsub", m_name);
+};
 
 }  // namespace
 
@@ -118,13 +218,14 @@ std::string LinuxCncWindowTemplate::program(const TemplateParameters& parameters
                                             const CellMap& cells, int layoutNumber) const {
   Listing out;
   writeComments(out, parameters, cells);
+  writeHead(out);
   writeStart(out, cells, layoutNumber);
   out.line("o100 while [1]");
   writeWait(out, parameters, cells);
   writeTaking(out, cells);
   writeMotion(out, cells);
   out.line("o100 endwhile");
-  out.line("M2");
+  out.line("{}", endWord());
   return out.take();
 }
 
@@ -142,6 +243,7 @@ void LinuxCncWindowTemplate::writeWait(Listing& out, const TemplateParameters& p
   out.line("o111 endif");
   out.line("o110 endif");
 
+  writeLeaving(out, cells);
   out.line("o120 if [{} GT {}]", read(cells.run), WindowProtocol::kRun);
   writeEnding(out, WindowState::Stopped);
   out.line("o120 endif");
@@ -157,15 +259,7 @@ void LinuxCncWindowTemplate::writeWait(Listing& out, const TemplateParameters& p
   out.line("o130 if [#<riv_go> GT 0]");
   out.line("#<riv_idle>=0");
   out.line("o130 elseif [#<riv_stands> GT 0]");
-  out.line("o131 if [{} EQ #<riv_beat>]", read(cells.heartbeat));
-  out.line("#<riv_idle>=[#<riv_idle>+1]");
-  out.line("o131 else");
-  out.line("#<riv_idle>=0");
-  out.line("#<riv_beat>={}", read(cells.heartbeat));
-  out.line("o131 endif");
-  out.line("o132 if [#<riv_idle> GT {}]", kSilentPausesMax);
-  writeEnding(out, WindowState::Abandoned);
-  out.line("o132 endif");
+  writeSilentPass(out, cells, 131);
   out.line("o133 if [#<riv_own> EQ 0]");
   out.line("#<riv_own>={}", read(cells.client));
   out.line("M68 E{} Q#<riv_own>", static_cast<int>(Protocol::Owner));
@@ -209,24 +303,31 @@ void LinuxCncWindowTemplate::writeStart(Listing& out, const CellMap& cells,
     out.line("#<riv_{}>=0", name);
   }
   out.line("#<riv_stands>=1");
+  writeBeginning(out, cells);
+  out.line("M68 E{} Q{}", static_cast<int>(Protocol::Block), Protocol::kNoBlock);
+  writeHandshake(out);
+  writeProgress(out);
+  out.line("M68 E{} Q0", static_cast<int>(Protocol::State));
+  writeOwner(out);
+  out.line("#<riv_beat>={}", read(cells.heartbeat));
+  // A client that sees this number knows that the other cells have been reset.
+  out.line("M68 E{} Q{}", static_cast<int>(Protocol::Layout), layoutNumber);
+  writeReady(out, cells);
+}
+
+void LinuxCncWindowTemplate::writeBeginning(Listing& out, const CellMap& cells) const {
   // All that moves from here on obeys the feed cell; the bridge tries it before it answers.
   out.line("M52 P1");
   out.line("M68 E{} Q{:g}", static_cast<int>(Protocol::SilenceLimit), cells.silenceLimitS);
   out.line("M68 E{} Q{}", static_cast<int>(Protocol::Base), cells.run);
-  // The layout number of this program must be a change, also if the one before was the same.
-  out.line("M68 E{} Q0", static_cast<int>(Protocol::Layout));
-  out.line("#<riv_start>=[{}+1]", readOutput(Protocol::Start));
-  out.line("M68 E{} Q#<riv_start>", static_cast<int>(Protocol::Start));
-  out.line("o90 while [#<_hal[{}]> NE #<riv_start>]", Protocol::kStartedPin);
-  out.line("M66 E0 L0");
-  out.line("G4 P0.01");
-  out.line("o90 endwhile");
-  writeProgress(out);
-  out.line("M68 E{} Q0", static_cast<int>(Protocol::State));
+  // These numbers of this program must be a change, also if those of the one before were the same.
+  for (const Protocol::Output output : {Protocol::Layout, Protocol::Call, Protocol::Stretch}) {
+    out.line("M68 E{} Q0", static_cast<int>(output));
+  }
+}
+
+void LinuxCncWindowTemplate::writeOwner(Listing& out) const {
   out.line("M68 E{} Q0", static_cast<int>(Protocol::Owner));
-  out.line("#<riv_beat>={}", read(cells.heartbeat));
-  // A client that sees this number knows that the other cells have been reset.
-  out.line("M68 E{} Q{}", static_cast<int>(Protocol::Layout), layoutNumber);
 }
 
 /// Copies a window and checks the copy: whatever is written meanwhile, and by whom, the axes move
@@ -258,6 +359,10 @@ void LinuxCncWindowTemplate::writeTaking(Listing& out, const CellMap& cells) con
   out.line("#<riv_l>=[#<riv_l>+1]");
 }
 
+void LinuxCncWindowTemplate::writeDone(Listing& out, const CellMap&) const {
+  writeEnding(out, WindowState::Done);
+}
+
 /// Of method credit, every window of the ring has blocks of its own: the bridge sees at the line in
 /// motion how far the axes are. An output that changes with the motion (M67) would make LinuxCNC
 /// brake before every window.
@@ -273,7 +378,7 @@ void LinuxCncWindowTemplate::writeMotion(Listing& out, const CellMap& cells) con
     out.line("o160 endif");
   }
   out.line("o170 if [#<riv_k> LT 0]");
-  writeEnding(out, WindowState::Done);
+  writeDone(out, cells);
   out.line("o170 endif");
   out.line("#<riv_b>=[#<riv_b>+1]");
   out.line("o171 if [#<riv_b> GE {}]", cells.windows);
@@ -285,6 +390,14 @@ void LinuxCncWindowTemplate::writeMotion(Listing& out, const CellMap& cells) con
     out.line("F[#<riv_f>+0.01]");
     out.line("#<riv_stands>=0");
   }
+}
+
+std::unique_ptr<MethodTemplate> LinuxCncWindowTemplate::asSubprogram(std::string name) const {
+  return std::make_unique<LinuxCncSubprogramTemplate<LinuxCncWindowTemplate>>(std::move(name));
+}
+
+std::unique_ptr<MethodTemplate> LinuxCncCreditTemplate::asSubprogram(std::string name) const {
+  return std::make_unique<LinuxCncSubprogramTemplate<LinuxCncCreditTemplate>>(std::move(name));
 }
 
 base::Result<void> LinuxCncCreditTemplate::check(const TemplateParameters& parameters) const {

@@ -13,9 +13,7 @@ namespace rivulet::templates {
 /// The axes stop between windows: M66 makes the interpreter wait for them.
 class LinuxCncWindowTemplate : public WindowTemplate {
  public:
-  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string) const override {
-    return nullptr;
-  }
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string name) const override;
   [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
   [[nodiscard]] std::string program(const TemplateParameters& parameters, const CellMap& cells,
                                     int layoutNumber) const override;
@@ -23,6 +21,11 @@ class LinuxCncWindowTemplate : public WindowTemplate {
 
  protected:
   [[nodiscard]] virtual bool isCredit() const { return false; }
+  [[nodiscard]] std::string_view endWord() const override { return "M2"; }
+  // What the loop of a whole job does otherwise.
+  virtual void writeBeginning(Listing& out, const CellMap& cells) const;
+  virtual void writeOwner(Listing& out) const;
+  void writeDone(Listing& out, const CellMap& cells) const override;
 
  private:
   void writeComments(Listing& out, const TemplateParameters& parameters,
@@ -35,8 +38,9 @@ class LinuxCncWindowTemplate : public WindowTemplate {
 
 /// No stop while windows are delivered in time. The interpreter asks for the next window while the
 /// axes execute earlier ones.
-class LinuxCncCreditTemplate final : public LinuxCncWindowTemplate {
+class LinuxCncCreditTemplate : public LinuxCncWindowTemplate {
  public:
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string name) const override;
   [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
 
