@@ -3054,10 +3054,6 @@
         <translation>Programm, %1 %</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines only so far.</source>
-        <translation>Ganze Aufträge laufen bisher nur auf virtuellen Maschinen.</translation>
-    </message>
-    <message>
         <source>Whole jobs need method window or credit.</source>
         <translation>Ganze Aufträge brauchen das Verfahren Fenster oder Kredit.</translation>
     </message>
@@ -3196,6 +3192,10 @@
     <message>
         <source>The path is being measured.</source>
         <translation>Die Bahn wird vermessen.</translation>
+    </message>
+    <message>
+        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
+        <translation>Ganze Aufträge laufen bisher nur auf virtuellen Maschinen und auf LinuxCNC.</translation>
     </message>
 </context>
 <context>

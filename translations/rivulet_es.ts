@@ -3054,10 +3054,6 @@
         <translation>programa, %1 %</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines only so far.</source>
-        <translation>Por ahora, los trabajos completos solo se ejecutan en máquinas virtuales.</translation>
-    </message>
-    <message>
         <source>Whole jobs need method window or credit.</source>
         <translation>Los trabajos completos necesitan el método Ventana o Crédito.</translation>
     </message>
@@ -3196,6 +3192,10 @@
     <message>
         <source>The path is being measured.</source>
         <translation>Se está midiendo la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
+        <translation>Por ahora, los trabajos completos solo se ejecutan en máquinas virtuales y en LinuxCNC.</translation>
     </message>
 </context>
 <context>

@@ -3054,10 +3054,6 @@
         <translation>programme, %1 %</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines only so far.</source>
-        <translation>Pour l’instant, les tâches complètes ne s’exécutent que sur des machines virtuelles.</translation>
-    </message>
-    <message>
         <source>Whole jobs need method window or credit.</source>
         <translation>Les tâches complètes exigent la méthode Fenêtre ou Crédit.</translation>
     </message>
@@ -3196,6 +3192,10 @@
     <message>
         <source>The path is being measured.</source>
         <translation>La trajectoire est en cours de mesure.</translation>
+    </message>
+    <message>
+        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
+        <translation>Pour l’instant, les tâches complètes ne s’exécutent que sur des machines virtuelles et sur LinuxCNC.</translation>
     </message>
 </context>
 <context>

@@ -3054,10 +3054,6 @@
         <translation>programma, %1 %</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines only so far.</source>
-        <translation>Finora i lavori completi si eseguono solo su macchine virtuali.</translation>
-    </message>
-    <message>
         <source>Whole jobs need method window or credit.</source>
         <translation>I lavori completi richiedono il metodo Finestra o Credito.</translation>
     </message>
@@ -3196,6 +3192,10 @@
     <message>
         <source>The path is being measured.</source>
         <translation>Il percorso è in corso di misurazione.</translation>
+    </message>
+    <message>
+        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
+        <translation>Finora i lavori completi si eseguono solo su macchine virtuali e su LinuxCNC.</translation>
     </message>
 </context>
 <context>

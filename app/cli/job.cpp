@@ -377,15 +377,16 @@ base::Result<void> JobCommand::connect() {
   if (!identity) {
     return base::fail(identity.error());
   }
-  const templates::TargetControl target = templates::targetOf(identity->applicationUri);
-  if (!m_connection.control->isVirtualMachine() && target == templates::TargetControl::Sinumerik) {
+  if (!templates::runsWholeJobs(identity->applicationUri,
+                                m_connection.control->isVirtualMachine())) {
     return base::fail(streaming::StreamError::NotCommissioned,
                       "Whole jobs run on virtual machines and on LinuxCNC only so far. Nothing was "
                       "changed on the control.",
                       m_connection.name);
   }
   const templates::TemplateParameters before = m_settings.parameters;
-  m_settings.parameters = templates::forTarget(m_settings.parameters, target);
+  m_settings.parameters =
+      templates::forTarget(m_settings.parameters, templates::targetOf(identity->applicationUri));
   if (base::Result<void> taken =
           takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
       !taken) {

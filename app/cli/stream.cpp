@@ -53,6 +53,7 @@
 #include "streaming/start/start_policy.h"
 #include "streaming/start/stop_bound.h"
 #include "templates/flexible_program.h"
+#include "templates/target.h"
 
 namespace rivulet::cli {
 
@@ -877,7 +878,12 @@ base::Result<bool> runsJobs(const StreamOptions& options) {
   if (!connection) {
     return base::fail(connection.error());
   }
-  return connection->control->isVirtualMachine();
+  const auto identity = connection->control->identity();
+  if (!identity) {
+    return base::fail(identity.error());
+  }
+  return templates::runsWholeJobs(identity->applicationUri,
+                                  connection->control->isVirtualMachine());
 }
 
 /// Says which blocks are left out, if the program has such.
@@ -916,7 +922,7 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
     return base::fail(meant.error());
   }
   if (!*runs) {
-    return leaveOut("whole jobs run on virtual machines only so far");
+    return leaveOut("whole jobs run on virtual machines and on LinuxCNC only so far");
   }
   if (!plan->refusals.empty()) {
     return base::fail(

@@ -108,8 +108,9 @@ RunController::RunController(StreamSession& session, Document& document, Machine
                    [text = QString::fromStdString(note.text)] { return widgets::noteText(text); });
   });
   connect(&m_machine, &MachineModel::linkChanged, this, [this] {
-    // Whole jobs are new: only a virtual machine may run them.
-    m_document.setRunsJobs(!m_machine.isConnected() || m_machine.view().isVirtualMachine);
+    m_document.setRunsJobs(!m_machine.isConnected() ||
+                           templates::runsWholeJobs(m_machine.link().server.applicationUri,
+                                                    m_machine.view().isVirtualMachine));
     if (m_machine.isConnected()) {  // until another is: a lost connection changes no program
       m_document.setTarget(templates::targetOf(m_machine.link().server.applicationUri));
     }

@@ -608,6 +608,9 @@ base::Result<void> LinuxCncControl::selectProgram(const std::string& name) {
 }
 
 base::Result<void> LinuxCncControl::cycleStart() {
+  if (m_state.waitsForStart) {
+    return ask("resume", {});
+  }
   if (m_state.channel != machine::ChannelStatus::Reset) {
     return base::fail(machine::MachineError::NotInReset, "A program is active.");
   }

@@ -18,6 +18,7 @@
 #include "service/machine_lock.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/start/stop_bound.h"
+#include "templates/target.h"
 
 namespace rivulet::service {
 
@@ -41,7 +42,7 @@ const std::string* valueOf(const preparation::SettingsFacts& facts, const std::s
 std::string whyNoJob(const job::Plan& plan, const streaming::StreamSettings& settings,
                      const MachineFacts& machine) {
   if (!machine.runsJobs) {
-    return "whole jobs run on virtual machines only so far";
+    return "whole jobs run on virtual machines and on LinuxCNC only so far";
   }
   if (!plan.refusals.empty()) {
     return job::describe(plan.refusals.front());
@@ -81,7 +82,7 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   MachineFacts facts;
   facts.endpoint = endpoint;
   facts.server = server;
-  facts.runsJobs = isVirtual;
+  facts.runsJobs = templates::runsWholeJobs(server.applicationUri, isVirtual);
   facts.load = report::loadMachineOf(store, endpoint, server, isVirtual, limits);
   facts.silenceLimitS = streaming::silenceLimitS(limits);
   facts.stopLimitS = streaming::stopLimitS(limits);
@@ -217,6 +218,8 @@ base::Result<LoadedJob> loadJob(
       return base::fail(program.error());
     }
   }
+  job.settings.parameters = templates::forTarget(
+      job.settings.parameters, templates::targetOf(machine.server.applicationUri));
   const bool asJob = job.settings.wholeJob && machine.runsJobs &&
                      base::hasWindows(job.settings.parameters.method) &&
                      job.settings.parameters.correctionLimitMm == 0.0;

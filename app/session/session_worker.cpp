@@ -609,6 +609,9 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
   if (!base::needsCommissioning(settings.parameters.method)) {
     return false;
   }
+  if (settings.parameters.target == templates::TargetControl::LinuxCnc) {
+    return true;  // its interpreter reads a pin when it passes the block, see docs/linuxcnc.md
+  }
   const auto identity = m_connection.control->identity();
   if (!identity) {
     return false;

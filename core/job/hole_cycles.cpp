@@ -198,13 +198,14 @@ void HoleCycles::takeWords(const nc::BlockWords& words, std::optional<double> dw
 std::string HoleCycles::lacks(double feedMmPerS, double spindlePerMin) const {
   const bool needsStroke =
       isPecking(*m_key) && !m_strokesMm && !(m_strokeMm && (m_hasSettings || *m_strokeMm > 0.0));
-  return !m_retract                                    ? "R"
-         : !m_depth                                    ? "Z"
-         : needsStroke                                 ? "Q"
-         : !(feedMmPerS > 0.0)                         ? "F"
-         : isTapping(*m_key) && !(spindlePerMin > 0.0) ? "S"
-         : liftsOff(*m_key) && !m_orientation          ? "lift"
-                                                       : "";
+  return !m_retract                                         ? "R"
+         : !m_depth                                         ? "Z"
+         : needsStroke                                      ? "Q"
+         : !(feedMmPerS > 0.0)                              ? "F"
+         : isTapping(*m_key) && !(spindlePerMin > 0.0)      ? "S"
+         : liftsOff(*m_key) && !m_orientation               ? "lift"
+         : m_dialect == nc::Dialect::LinuxCnc && !m_toStart ? "G98, G99"
+                                                            : "";
 }
 
 double HoleCycles::setting(gcode::ControlSetting which) {
@@ -292,16 +293,17 @@ tl::expected<std::vector<std::string>, std::string> HoleCycles::drill(
     return tl::unexpected(std::move(lacking));
   }
   const bool isBehind = m_key == kBackBoring;  // Fanuc, G87: G99 has no meaning there
-  const bool needsHeight = isBehind || m_retract->isIncrement || (m_toStart && wayUp.empty());
+  const bool needsHeight =
+      isBehind || m_retract->isIncrement || (retractsToStart() && wayUp.empty());
   if (needsHeight && std::isnan(m_startMm)) {
     return tl::unexpected(std::string());
   }
-  const bool goesWayUp = m_toStart && std::isnan(m_startMm);
+  const bool goesWayUp = retractsToStart() && std::isnan(m_startMm);
   hole.retractMm = m_retract->valueMm + (m_retract->isIncrement ? m_startMm : 0.0);
   hole.depthMm = m_depth->valueMm + (m_depth->isIncrement ? hole.retractMm : 0.0);
-  hole.afterMm = isBehind    ? m_startMm
-                 : m_toStart ? std::max(hole.retractMm, m_startMm)
-                             : hole.retractMm;
+  hole.afterMm = isBehind            ? m_startMm
+                 : retractsToStart() ? std::max(hole.retractMm, m_startMm)
+                                     : hole.retractMm;
   const double lengthMm = hole.retractMm - hole.depthMm;  // of back boring either way round
   if (state.diameter || !(isBehind || lengthMm > 0.0) ||
       (isPecking(*m_key) && lengthMm / strokeMm(hole, kStrokesMax) > kStrokesMax)) {

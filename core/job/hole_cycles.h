@@ -54,6 +54,7 @@ class HoleCycles {
   class Writer;
   void takeWords(const nc::BlockWords& words, std::optional<double> dwellS,
                  const nc::ModalState& state);
+  [[nodiscard]] bool retractsToStart() const { return m_toStart.value_or(true); }
   [[nodiscard]] std::string lacks(double feedMmPerS, double spindlePerMin) const;
   [[nodiscard]] double setting(gcode::ControlSetting which);
   void takeSettings(const nc::BlockWords& words, const nc::ModalState& state);
@@ -79,7 +80,9 @@ class HoleCycles {
   nc::Dialect m_dialect = nc::Dialect::Fanuc;
   bool m_hasSettings = false;  ///< a control of this make takes from settings what is left out
   std::optional<int> m_key;
-  bool m_toStart = true;
+  /// Where the program has said neither, LinuxCNC keeps what the one before has left; the others
+  /// begin with G98.
+  std::optional<bool> m_toStart;
   int m_spindle = 3;
   double m_startMm = 0.0;  ///< height when the cycle began; NaN: not known
   bool m_isFirst = false;

@@ -82,6 +82,31 @@ std::optional<std::string> workOffset(int number) {
   return std::nullopt;
 }
 
+/// "$P_UIFR[1,X,TR]=5" is "G10 L2 P1 X5" of LinuxCNC, "$P_UIFR[1,Z,RT]=0" its "R0".
+struct SetOffset {
+  std::string number;
+  std::string word;
+};
+std::optional<SetOffset> setOffsetOf(std::string_view text) {
+  constexpr std::string_view kName = "$P_UIFR[";
+  const std::size_t equals = text.find("]=");
+  if (!text.starts_with(kName) || equals == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view index = text.substr(kName.size(), equals - kName.size());
+  const std::size_t axis = index.find(',');
+  const auto value = base::parseNumber(text.substr(equals + 2));
+  if (axis == std::string_view::npos || axis + 5 != index.size() || !value) {
+    return std::nullopt;
+  }
+  const bool isTurn = index.ends_with(",Z,RT") && *value == 0.0;
+  if (!isTurn && !index.ends_with(",TR")) {
+    return std::nullopt;
+  }
+  return SetOffset{std::string(index.substr(0, axis)),
+                   (isTurn ? 'R' : index[axis + 1]) + nc::ncNumber(*value)};
+}
+
 }  // namespace
 
 /// The words of a block, by what LinuxCNC needs to know of them.
@@ -98,9 +123,11 @@ struct LinuxCncText::Block {
   std::string side;              ///< G41 or G42
   std::optional<double> radius;  ///< of the compensation, mm; nothing: that of the tool
   std::optional<double> feed;    ///< F
+  std::string offset;            ///< G10 L2 with its words
 };
 
 void LinuxCncText::loopCalled() {
+  m_plane = 17;
   m_units = 21;
   m_distance = 90;
   m_feedMode = 94;
@@ -141,6 +168,12 @@ std::string LinuxCncText::convertLine(std::string_view line, std::string& out) {
     block.words.push_back((block.isDwell ? "P" : "F") + nc::ncNumber(*block.feed));
   }
   const bool moves = !block.axes.empty() || !block.centre.empty();
+  if (!block.offset.empty()) {
+    block.words.push_back(block.offset);
+    if (moves || block.words.size() > 1) {
+      return block.offset;
+    }
+  }
   if (block.isMachine && !moves) {
     return "SUPA";
   }
@@ -361,6 +394,11 @@ bool LinuxCncText::takeM(int number, Block& block) const {
 bool LinuxCncText::takeValue(std::string_view name, const Token& token, Block& block) {
   const std::optional<Number> number = numberOf(token);
   const std::string text = base::toUpper(token.text);
+  if (const auto set = setOffsetOf(text)) {
+    const std::string begin = "G10 L2 P" + set->number;
+    block.offset += (block.offset.empty() ? begin : "") + " " + set->word;
+    return block.offset.starts_with(begin + " ");
+  }
   if (name == "OFFN" && !number) {  // "OFFN=3-$P_TOOLR": the radius is 3
     constexpr std::string_view kBegin = "OFFN=";
     constexpr std::string_view kEnd = "-$P_TOOLR";

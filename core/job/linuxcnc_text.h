@@ -34,7 +34,7 @@ class LinuxCncText {
   [[nodiscard]] tl::expected<std::string, std::string> convert(std::string_view text);
   /// G41 or G42 is in force.
   [[nodiscard]] bool compensates() const { return m_compensates; }
-  /// The loop of the job has been called: G21, G90 and G94 are in force.
+  /// The loop of the job has been called: G17, G21, G90, G91.1 and G94 are in force.
   void loopCalled();
 
  private:
@@ -56,7 +56,7 @@ class LinuxCncText {
   int m_units = 0;
   int m_distance = 0;
   int m_feedMode = 0;
-  int m_motion = 0;  ///< as the source has it, -1: not known
+  int m_motion = -1;  ///< as the source has it; -1: not known
   bool m_compensates = false;
 };
 

@@ -235,14 +235,14 @@ class LinuxCncMain final : public MainWriter {
     }
     const auto blocks = m_text.convert(text);
     if (!blocks) {
+      const NativeBlock* const block = native();
+      const std::string& file =
+          block == nullptr || block->file.empty() ? plan().program.name : block->file;
       fail(base::makeError(
           JobError::NotTranslated,
-          fmt::format("LinuxCNC has no block for {}: write the program without it.",
-                      blocks.error()),
-          native() == nullptr
-              ? plan().program.name
-              : fmt::format("{}:{}", native()->file.empty() ? plan().program.name : native()->file,
-                            native()->place.line.value)));
+          fmt::format("LinuxCNC has no words for this block: {} ({}). Take it out of the program.",
+                      block == nullptr ? text : block->source, blocks.error()),
+          block == nullptr ? file : fmt::format("{}:{}", file, block->place.line.value)));
     } else if (!blocks->empty()) {
       append(*blocks);
     }

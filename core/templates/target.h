@@ -20,6 +20,12 @@ inline constexpr std::string_view kLinuxCncApplicationUri = "urn:rivulet:linuxcn
                                                    : TargetControl::Sinumerik;
 }
 
+/// Whole jobs are released for virtual machines, whose wrong motion does no harm, and for LinuxCNC,
+/// against which they are tested.
+[[nodiscard]] constexpr bool runsWholeJobs(std::string_view applicationUri, bool isVirtual) {
+  return isVirtual || targetOf(applicationUri) == TargetControl::LinuxCnc;
+}
+
 /// The same settings for a control, without what it does not have.
 [[nodiscard]] inline TemplateParameters forTarget(TemplateParameters parameters,
                                                   TargetControl target) {

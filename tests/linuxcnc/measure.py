@@ -41,30 +41,6 @@ class Figures:
         self.machine.mark()
         return report, rig.moving(self.machine.samples(since))
 
-    def execute(self, what, file):
-        """The program in LinuxCNC's own hands."""
-        since = self.machine.mark()
-        words = [self.machine.source / "tests" / "linuxcnc" / "execute", file]
-        if os.geteuid() == 0:
-            copy = self.machine.folder / "execute"
-            copy.write_bytes(pathlib.Path(words[0]).read_bytes())
-            copy.chmod(0o755)
-            words = [*rig.as_linuxcnc(), copy, file]
-        done = subprocess.run(
-            words,
-            capture_output=True,
-            text=True,
-            cwd=self.machine.folder / "machine",
-            # Where LinuxCNC keeps what its clients share.
-            env=dict(os.environ, HOME=str(self.machine.folder / "machine" / "home")),
-            timeout=rig.CLIENT_S,
-            check=False,
-        )
-        if done.returncode != 0:
-            raise rig.Failed("%s: %s" % (what, done.stderr))
-        self.machine.mark()
-        return rig.moving(self.machine.samples(since))
-
     def simulate(self, what, file, words):
         """The same on the virtual machine. @return its report and its samples"""
         recording = self.machine.folder / "simulated.rivulet"
@@ -237,7 +213,7 @@ class Figures:
         for name, head in (("native, as it stands", ""), ("native, `G64 P0.01 Q0`", "G64 P0.01 Q0\n")):
             file = self.machine.folder / "machine" / "native.ngc"
             file.write_text(head + words, encoding="ascii")
-            rows.append((name, self.execute(name, file)))
+            rows.append((name, self.machine.executed(name, file)))
         for method in (rig.CREDIT, rig.WINDOW):
             name = "streamed, method %s" % method[1]
             rows.append((name, self.record(name, source, [*method, *feed])[1]))

@@ -260,6 +260,37 @@ class Machine:
             raise Failed("%s: %s" % (what, report))
         return report
 
+    def job(self, file, words=()):
+        """A whole job in the language of LinuxCNC."""
+        return self.client(
+            *["job", file, "--endpoint", self.endpoint, "--security", "none"],
+            *["--dialect", "linuxcnc", "--json", *words],
+        )
+
+    def executed(self, what, file):
+        """The program in LinuxCNC's own hands. @return its samples"""
+        since = self.mark()
+        words = [self.source / "tests" / "linuxcnc" / "execute", file]
+        if os.geteuid() == 0:
+            copy = self.folder / "execute"
+            copy.write_bytes(pathlib.Path(words[0]).read_bytes())
+            copy.chmod(0o755)
+            words = [*as_linuxcnc(), copy, file]
+        done = subprocess.run(
+            words,
+            capture_output=True,
+            text=True,
+            cwd=self.folder / "machine",
+            # Where LinuxCNC keeps what its clients share.
+            env=dict(os.environ, HOME=str(self.folder / "machine" / "home")),
+            timeout=CLIENT_S,
+            check=False,
+        )
+        if done.returncode != 0:
+            raise Failed("%s: %s" % (what, done.stderr))
+        self.mark()
+        return self.samples(since)
+
     def mark(self):
         """Everything until now has been recorded, and belongs to earlier runs."""
         question = [*as_linuxcnc(), "halcmd", "getp", "sampler.1.curr-depth"]
@@ -339,7 +370,9 @@ def programs(machine):
 
 def moving(samples):
     """Without what is before the first motion and after the last."""
-    moves = [i for i in range(1, len(samples)) if samples[i].set != samples[i - 1].set]
+    moves = [
+        i for i in range(1, len(samples)) if math.dist(samples[i].set, samples[i - 1].set) > 1e-9
+    ]
     return samples[moves[0] - 1 : moves[-1] + 1] if moves else []
 
 
@@ -348,9 +381,9 @@ def whole(points, start):
     return [tuple(s if p is None else p for p, s in zip(point, start)) for point in points]
 
 
-def judge(what, samples, points):
+def judge(what, samples, points, is_whole=True):
     """Follows the set points along the path: each point once, in order, nothing else.
-    @return how far they are from the path at most, in mm"""
+    @param is_whole  to its end  @return how far they are from the path at most, in mm"""
     if not samples:
         raise Failed("%s: no motion was recorded" % what)
     previous = samples[0].set
@@ -391,10 +424,87 @@ def judge(what, samples, points):
                 % (what, TOLERANCE_MM, leg + 1, leg + 1, along, begins[-1], place, nearest)
             )
         leg, along, off = found[0], max(along, found[1]), max(off, nearest)
-    if begins[-1] - along > TOLERANCE_MM:
+    if is_whole and begins[-1] - along > TOLERANCE_MM:
         done = sum(1 for end in begins[1:] if end <= along + TOLERANCE_MM)
         raise Failed("%s: %d of %d points were executed" % (what, done, len(points)))
     return off
+
+
+def line_of(samples, tolerance_mm=0.002):
+    """The path of the set points, as few points as stay so close to all of them."""
+    places = [samples[0].set]
+    places += [b.set for a, b in zip(samples, samples[1:]) if b.set != a.set]
+
+    def off(place, a, b):
+        along = [q - p for p, q in zip(a, b)]
+        length = sum(x * x for x in along)
+        share = sum((r - p) * x for p, r, x in zip(a, place, along)) / length if length else 0.0
+        share = min(max(share, 0.0), 1.0)
+        return math.dist(place, [p + share * x for p, x in zip(a, along)])
+
+    kept, begin = [places[0]], 0
+    for end in range(2, len(places)):
+        # Only some between: a curve bends the same way all along such a piece.
+        between = range(begin + 1, end, max((end - begin) // 8, 1))
+        if end - begin > 400 or any(
+            off(places[i], places[begin], places[end]) > tolerance_mm for i in between
+        ):
+            begin = end - 1
+            kept.append(places[begin])
+    return [*kept, places[-1]]
+
+
+def changes(samples):
+    """Where tool, spindle and coolant change, and to what."""
+    pairs = zip(samples, samples[1:])
+    return [(b.equipment, a.set) for a, b in pairs if b.equipment != a.equipment]
+
+
+def same_job(what, plain, streamed):
+    """Two executions of a program: the same path once, and the same tool, spindle and coolant at the
+    same places. @return how far they are from each other at most, in mm"""
+    if not moving(plain) and not moving(streamed):
+        off = 0.0
+    else:
+        off = judge(what, moving(streamed), line_of(moving(plain)))
+    first, second = changes(plain), changes(streamed)
+    if [each[0] for each in first] != [each[0] for each in second]:
+        raise Failed("%s: tool, spindle, coolant: %s plain, %s as a job" % (what, first, second))
+    for (equipment, a), (_, b) in zip(first, second):
+        if math.dist(a, b) > TOLERANCE_MM:
+            raise Failed("%s: %s at %s plain, at %s as a job" % (what, equipment, a, b))
+    return off
+
+
+def store(machine, name, text):
+    """A program that LinuxCNC can read."""
+    file = machine.folder / name
+    file.write_text(text + "\n", encoding="ascii", errors="replace")
+    file.chmod(0o644)
+    return file
+
+
+def go_home(machine):
+    """Between two executions: both begin at the same place, without a tool."""
+    lines = ["T0 M6", "G49 G53 G0 Z0", "G53 G0 X0 Y0", "M5 M9", "M2"]
+    machine.executed("home", store(machine, "home.ngc", "\n".join(lines)))
+
+
+def compare(machine, what, file, words):
+    """A program executed by LinuxCNC alone, with the path tolerance of the loop, and as a job.
+    @return samples of both, and how far they are from each other at most, in mm"""
+    lines = file.read_text(encoding="ascii").splitlines()
+    lines.insert(1 if lines and lines[0].strip() == "%" else 0, "G64 P0.01")
+    go_home(machine)
+    plain = machine.executed(what, store(machine, "plain-" + file.name, "\n".join(lines)))
+    go_home(machine)
+    since = machine.mark()
+    report = json.loads(machine.answer(what, machine.job(file, words)))
+    machine.mark()
+    job = machine.samples(since)
+    if report["outcome"] != "completed":
+        raise Failed("%s: %s" % (what, report))
+    return plain, job, same_job(what, plain, job)
 
 
 def from_first(samples, points):

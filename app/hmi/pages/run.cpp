@@ -82,7 +82,7 @@ struct RunTexts {
     }
     switch (*obstacle) {
       case Document::JobObstacle::Machine:
-        return tr("Whole jobs run on virtual machines only so far.");
+        return tr("Whole jobs run on virtual machines and on LinuxCNC only so far.");
       case Document::JobObstacle::Method:
         return tr("Whole jobs need method window or credit.");
       case Document::JobObstacle::Correction:

@@ -159,6 +159,24 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
   bool m_isStarted = false;
 };
 
+/// Keeps what a stretch has executed with the name of whoever has started the job: the stretch has
+/// none, because it claims nothing.
+class StretchKeeper final : public CheckpointKeeper {
+ public:
+  StretchKeeper(CheckpointKeeper& keeper, RunOrigin origin)
+      : m_keeper(keeper), m_origin(std::move(origin)) {}
+  Result<void> keep(const Checkpoint& checkpoint, const RunSettings& settings,
+                    std::span<const gcode::StreamPoint> points) override {
+    RunSettings named = settings;
+    named.origin = m_origin;
+    return m_keeper.keep(checkpoint, named, points);
+  }
+
+ private:
+  CheckpointKeeper& m_keeper;
+  RunOrigin m_origin;
+};
+
 class WholeJob : public HostedRun {
  public:
   WholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
@@ -713,8 +731,13 @@ class WholeJob : public HostedRun {
     m_sink.stretchBegins(stretch, flight->toolMm);
     m_points.insert(m_points.end(), flight->points.points.begin(), flight->points.points.end());
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
-    report.run = runJob(link, link, program, m_flexible, settings, m_orders, m_ledger,
-                        {nullptr, {}, m_options.keeper, m_trace ? &*m_trace : nullptr, &m_feed});
+    std::optional<StretchKeeper> keeper;
+    if (m_options.keeper != nullptr) {
+      keeper.emplace(*m_options.keeper, m_settings.origin);
+    }
+    report.run =
+        runJob(link, link, program, m_flexible, settings, m_orders, m_ledger,
+               {nullptr, {}, keeper ? &*keeper : nullptr, m_trace ? &*m_trace : nullptr, &m_feed});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {

@@ -297,8 +297,9 @@ void LinuxCncWindowTemplate::writeComments(Listing& out, const TemplateParameter
 
 void LinuxCncWindowTemplate::writeStart(Listing& out, const CellMap& cells,
                                         int layoutNumber) const {
-  // Q0: every point keeps a block of its own, also on a straight line.
-  out.line("G21 G90 G94 G64 P{} Q0", Protocol::kPathToleranceMm);
+  // What an aborted program may have left. Q0: every point keeps a block of its own, also on a
+  // straight line.
+  out.line("G8 G17 G21 G40 G90 G91.1 G94 G64 P{} Q0", Protocol::kPathToleranceMm);
   for (const char* const name : {"l", "own", "b", "idle", "told"}) {
     out.line("#<riv_{}>=0", name);
   }
