@@ -558,8 +558,14 @@ base::Result<void> LinuxCncControl::storeProgram(const std::string& name, std::s
   return base::writeFile(path, text);
 }
 
-base::Result<std::string> LinuxCncControl::programText(const std::string& name) const {
+base::Result<std::string> LinuxCncControl::programText(const std::string& name) {
   std::error_code status;
+  if (base::toUpper(name) == LinuxCncProtocol::kMachineFile) {
+    const std::filesystem::path path = std::filesystem::absolute(pathOf(name), status);
+    if (base::Result<void> described = ask("describe", path.string()); !described) {
+      return base::fail(described.error());
+    }
+  }
   if (!std::filesystem::is_regular_file(pathOf(name), status)) {
     return base::fail(machine::MachineError::ProgramMissing, "There is no such program.", name);
   }

@@ -72,7 +72,8 @@ class LinuxCncControl final : public machine::ServedControl {
   [[nodiscard]] base::Duration programTime(std::size_t) const override { return {}; }
   base::Result<void> storeProgram(const std::string& name, std::string text,
                                   bool overwrite) override;
-  [[nodiscard]] base::Result<std::string> programText(const std::string& name) const override;
+  /// `LinuxCncProtocol::kMachineFile`: what LinuxCNC says of the machine now.
+  [[nodiscard]] base::Result<std::string> programText(const std::string& name) override;
   base::Result<void> selectProgram(const std::string& name) override;
   base::Result<void> cycleStart() override;
   void reset() override;

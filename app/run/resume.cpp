@@ -92,7 +92,8 @@ base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
   const auto found = streaming::whereJobWasLeft(
       link, left, settings, checkpoint,
       [&](std::size_t part) {
-        return forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
+        return machine.keepsFrame ? base::Result<base::Vec3>()
+                                  : forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
       },
       active);
   if (!found) {

@@ -6,6 +6,8 @@
 #include "opcua/await.h"
 #include "report/known_machine.h"
 #include "streaming/run/run.h"
+#include "templates/linuxcnc_protocol.h"
+#include "templates/target.h"
 
 namespace rivulet::run {
 
@@ -19,6 +21,15 @@ base::Result<std::optional<machine::MachineConfig>> machineOf(opcua::Control& co
   const auto profile = store.profile(name, *identity);
   if (!profile) {
     return base::fail(profile.error());
+  }
+  if (templates::targetOf(identity->applicationUri) == templates::TargetControl::LinuxCnc) {
+    const auto text = control.downloadProgram(templates::LinuxCncProtocol::kMachineFile);
+    if (!text) {
+      return base::fail(text.error());
+    }
+    const auto told = machine::parsePreset(*text, templates::LinuxCncProtocol::kMachineFile);
+    return told ? base::Result<std::optional<machine::MachineConfig>>(*told)
+                : base::fail(told.error());
   }
   return report::knownMachine(*identity, *profile ? &**profile : nullptr);
 }

@@ -69,6 +69,19 @@ std::optional<Number> numberOf(const Token& token) {
   return value ? std::optional(Number{*value, (*token.calculation)->reference}) : std::nullopt;
 }
 
+/// Of "Z=MAXVAL($AA_IW[Z],5)": not below where the axis stands.
+std::optional<double> leastOf(char letter, const Token& token) {
+  const nc::Expression* const value = token.calculated();
+  if (value == nullptr || value->op != nc::Op::MaxVal || value->operands.size() != 2) {
+    return std::nullopt;
+  }
+  const nc::Expression& place = value->operands.front();
+  const bool isPlace = place.op == nc::Op::System && place.name == "$AA_IW" &&
+                       place.operands.size() == 1 &&
+                       place.operands.front().name == std::string(1, letter);
+  return isPlace ? constantOf(value->operands.back()) : std::nullopt;
+}
+
 /// "G505" is G58 of LinuxCNC.
 std::optional<std::string> workOffset(int number) {
   constexpr int kFirst = 540;
@@ -180,7 +193,15 @@ std::string LinuxCncText::convertLine(std::string_view line, std::string& out) {
   if (block.isDwell && (moves || block.hasSpeed || !block.feed)) {
     return "G4";
   }
-  if (moves) {
+  if (moves && block.isMachine && !m_fixedPoint.empty()) {
+    // By way of where the axes are.
+    for (std::string& axis : block.axes) {
+      const char letter = static_cast<char>(axis.front() - 'A' + 'a');
+      axis = fmt::format("{}[#<_{}>]", axis.front(), letter);
+    }
+    block.words.push_back(m_fixedPoint);
+    block.words.insert(block.words.end(), block.axes.begin(), block.axes.end());
+  } else if (moves) {
     const bool isStraight = m_motion == 0 || m_motion == 1;
     if (m_motion < 0 || m_motion > 3 || (block.isMachine && !isStraight) ||
         (block.centreIsAbsolute && block.centreIsIncrement)) {
@@ -230,16 +251,16 @@ bool LinuxCncText::take(const Token& token, Block& block) {
 }
 
 bool LinuxCncText::takeWord(const Token& token, Block& block) {
+  const char letter = base::toUpper(token.address);
+  if ((letter >= 'X' && letter <= 'Z') || (letter >= 'A' && letter <= 'C')) {
+    return takeAxis(letter, token, block);
+  }
   const std::optional<Number> number = numberOf(token);
   if (!number) {
     return false;
   }
   const double value = number->value;
   const bool isModal = number->reference == Reference::Modal;
-  const char letter = base::toUpper(token.address);
-  if ((letter >= 'X' && letter <= 'Z') || (letter >= 'A' && letter <= 'C')) {
-    return takeAxis(letter, token, block);
-  }
   if (letter >= 'I' && letter <= 'K') {
     (number->reference == Reference::Absolute ? block.centreIsAbsolute : block.centreIsIncrement) =
         true;
@@ -277,7 +298,17 @@ bool LinuxCncText::takeWord(const Token& token, Block& block) {
 }
 
 bool LinuxCncText::takeAxis(char letter, const Token& token, Block& block) const {
-  const Number number = *numberOf(token);
+  const auto constant = numberOf(token);
+  if (!constant) {
+    const std::optional<double> least = leastOf(letter, token);
+    if (least) {  // the greater of both
+      block.axes.push_back(fmt::format("{0}[[#<_{1}>+{2}+ABS[#<_{1}>-[{2}]]]/2]", letter,
+                                       static_cast<char>(letter - 'A' + 'a'),
+                                       nc::ncNumber(*least)));
+    }
+    return least.has_value();
+  }
+  const Number number = *constant;
   const std::string value = nc::ncNumber(number.value);
   switch (number.reference) {
     case Reference::Modal:

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 
 #include "nc/syntax/dialect.h"
 
@@ -32,6 +33,9 @@ class LinuxCncText {
   /// @param text  lines for a SINUMERIK @return lines, empty: LinuxCNC needs none; or the word that
   /// has no translation
   [[nodiscard]] tl::expected<std::string, std::string> convert(std::string_view text);
+  /// What follows in machine coordinates is a move to a fixed point of LinuxCNC's own. @param word
+  /// "G28" or "G30"; empty: it is not
+  void setFixedPoint(std::string word) { m_fixedPoint = std::move(word); }
   /// G41 or G42 is in force.
   [[nodiscard]] bool compensates() const { return m_compensates; }
   /// The loop of the job has been called: G17, G21, G90, G91.1 and G94 are in force.
@@ -51,6 +55,7 @@ class LinuxCncText {
   void setModal(int& inForce, int g, Block& block) const;
 
   nc::Dialect m_source;
+  std::string m_fixedPoint;
   // G functions in force; 0: not known.
   int m_plane = 0;
   int m_units = 0;

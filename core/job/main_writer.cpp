@@ -233,6 +233,8 @@ class LinuxCncMain final : public MainWriter {
       append(text);
       return;
     }
+    const bool isOwnPoint = plan().program.dialect == nc::Dialect::LinuxCnc && native() != nullptr;
+    m_text.setFixedPoint(isOwnPoint ? native()->fixedPoint : std::string());
     const auto blocks = m_text.convert(text);
     if (!blocks) {
       const NativeBlock* const block = native();

@@ -74,7 +74,9 @@ struct NativeBlock {
   nc::ModalState before;  ///< in force when the program reaches it
   /// TRANS, ROT and the like in force, one line each, mm; empty: none.
   std::vector<std::string> frame;
-  bool moves = false;      ///< it names an axis
+  bool moves = false;  ///< it names an axis
+  /// "G28", "G30 P2": the point of the source's control to which it moves; empty: none.
+  std::string fixedPoint;
   bool setsFrame = false;  ///< TRANS, ROT and the like
   /// It may move with the feed that the machine begins with: the program has named none.
   bool usesDefaultFeed = false;

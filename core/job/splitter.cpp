@@ -182,6 +182,7 @@ struct BlockNotes {
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
   bool toFixedPoint = false;
+  std::string fixedPoint;           ///< the word of such a move
   bool isInHoleCycle = false;       ///< the position after it is known
   std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
   std::string corner;               ///< ,R or ,C
@@ -1160,6 +1161,7 @@ class Splitter final : public gcode::BlockObserver,
       compensateBy(*key, std::move(argument));
     } else if (*reason == NativeReason::Retract) {
       m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
+      m_block->fixedPoint = std::move(argument);
     } else if (*reason == NativeReason::WorkOffset && key == 100) {
       // G10: see `setWorkOffset`.
     } else if (*reason == NativeReason::WorkOffset && keyOfG(argument)) {
@@ -1325,6 +1327,7 @@ class Splitter final : public gcode::BlockObserver,
     native.before = before;
     native.frame = block.frame;
     native.moves = block.moves;
+    native.fixedPoint = block.toFixedPoint ? block.fixedPoint : std::string();
     native.setsFrame = block.setsFrame;
     const nc::ModalState& now = m_executor->state();
     const bool isRapid =

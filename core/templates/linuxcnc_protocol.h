@@ -44,6 +44,10 @@ struct LinuxCncProtocol {
   static constexpr const char* kStartedPin = "rivulet.started";
   static constexpr const char* kOutputPin = "motion.analog-out-";
 
+  /// The program of this name is a preset (`machine::parsePreset`): limits, tools and offsets as
+  /// LinuxCNC has them when it is read.
+  static constexpr const char* kMachineFile = "MACHINE.TOML";
+
   /// Largest deviation from the programmed path at corners (G64 P).
   static constexpr double kPathToleranceMm = 0.01;
 };

@@ -65,6 +65,7 @@ def row(machine, corpus, source):
     try:
         plain, job, off = rig.compare(machine, what, file, ["--units", "mm", *rig.WINDOW])
     except rig.Failed as why:
+        machine.executed("abort", "--abort")
         said = re.search(r'"message": "([^"]*)', str(why))
         return (what, "", said.group(1) if said else str(why).splitlines()[0])
     times = [len(rig.moving(samples)) * rig.CYCLE_S for samples in (job, plain)]

@@ -264,8 +264,13 @@ class Machine:
         """A whole job in the language of LinuxCNC."""
         return self.client(
             *["job", file, "--endpoint", self.endpoint, "--security", "none"],
-            *["--dialect", "linuxcnc", "--json", *words],
+            *["--dialect", "linuxcnc", "--straight", "--json", *words],
         )
+
+    def end_run(self, what):
+        """Ends the program that waits for its client."""
+        words = ["runs", "--endpoint", self.endpoint, "--security", "none", "--end"]
+        return self.answer(what, self.client(*words))
 
     def executed(self, what, file):
         """The program in LinuxCNC's own hands. @return its samples"""
@@ -384,6 +389,11 @@ def whole(points, start):
 def judge(what, samples, points, is_whole=True):
     """Follows the set points along the path: each point once, in order, nothing else.
     @param is_whole  to its end  @return how far they are from the path at most, in mm"""
+    return follow(what, samples, points, is_whole)[0]
+
+
+def follow(what, samples, points, is_whole=True):
+    """@return as judge, and how far along the path they have come, in mm"""
     if not samples:
         raise Failed("%s: no motion was recorded" % what)
     previous = samples[0].set
@@ -427,7 +437,26 @@ def judge(what, samples, points, is_whole=True):
     if is_whole and begins[-1] - along > TOLERANCE_MM:
         done = sum(1 for end in begins[1:] if end <= along + TOLERANCE_MM)
         raise Failed("%s: %d of %d points were executed" % (what, done, len(points)))
-    return off
+    return off, along
+
+
+def rests_of(points, place, along):
+    """The path from a place on it on, for each time it comes there after `along`."""
+    begin = 0.0
+    for i, (a, b) in enumerate(zip(points, points[1:])):
+        length = math.dist(a, b)
+        begin += length
+        if length == 0.0 or begin < along - TOLERANCE_MM:
+            continue
+        share = sum((p - q) * (r - q) for p, q, r in zip(place, a, b)) / length**2
+        share = min(max(share, 0.0), 1.0)
+        if math.dist(place, [q + share * (r - q) for q, r in zip(a, b)]) <= TOLERANCE_MM:
+            yield [place, *points[i + 1 :]]
+
+
+def rest_of(points, place, along):
+    """@return the first of them; nothing: the place is not on the path"""
+    return next(rests_of(points, place, along), None)
 
 
 def line_of(samples, tolerance_mm=0.002):
@@ -499,7 +528,7 @@ def compare(machine, what, file, words):
     plain = machine.executed(what, store(machine, "plain-" + file.name, "\n".join(lines)))
     go_home(machine)
     since = machine.mark()
-    report = json.loads(machine.answer(what, machine.job(file, words)))
+    report = json.loads(machine.answer(what, machine.job(file, [*words, "--from-start"])))
     machine.mark()
     job = machine.samples(since)
     if report["outcome"] != "completed":

@@ -92,7 +92,7 @@ class ServedControl {
   // Programs; the errors are those of `Machine`.
   virtual base::Result<void> storeProgram(const std::string& name, std::string text,
                                           bool overwrite) = 0;
-  [[nodiscard]] virtual base::Result<std::string> programText(const std::string& name) const = 0;
+  [[nodiscard]] virtual base::Result<std::string> programText(const std::string& name) = 0;
   virtual base::Result<void> selectProgram(const std::string& name) = 0;
   virtual base::Result<void> cycleStart() = 0;
   virtual void reset() = 0;
@@ -132,7 +132,7 @@ class ServedMachine final : public ServedControl {
                                   bool overwrite) override {
     return m_machine.storeProgram(name, std::move(text), overwrite);
   }
-  [[nodiscard]] base::Result<std::string> programText(const std::string& name) const override {
+  [[nodiscard]] base::Result<std::string> programText(const std::string& name) override {
     return m_machine.programText(name);
   }
   base::Result<void> selectProgram(const std::string& name) override {
