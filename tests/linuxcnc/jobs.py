@@ -15,9 +15,9 @@ import sys
 sys.dont_write_bytecode = True
 import rig  # noqa: E402  beside this file
 
-LONGEST_S = 45.0
+LONGEST_S = 20.0
 REACH_MM = 450.0  # of the axes
-LINES = (100_000, 400, 200, 100, 60, 30)
+LINES = (100_000, 400, 200, 100, 50, 25)
 ENDINGS = (".ngc", ".nc", ".tap", ".gcode")
 RAPID_MM_PER_S = 100.0
 
@@ -74,6 +74,7 @@ def row(machine, corpus, source):
 
 
 def measure(machine, corpus):
+    rig.CLIENT_S = 3.0 * LONGEST_S
     machine.calibrate()
     found = []
     for source in sorted(corpus.rglob("*")):

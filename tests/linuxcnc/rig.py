@@ -281,16 +281,19 @@ class Machine:
             copy.write_bytes(pathlib.Path(words[0]).read_bytes())
             copy.chmod(0o755)
             words = [*as_linuxcnc(), copy, file]
-        done = subprocess.run(
-            words,
-            capture_output=True,
-            text=True,
-            cwd=self.folder / "machine",
-            # Where LinuxCNC keeps what its clients share.
-            env=dict(os.environ, HOME=str(self.folder / "machine" / "home")),
-            timeout=CLIENT_S,
-            check=False,
-        )
+        try:
+            done = subprocess.run(
+                words,
+                capture_output=True,
+                text=True,
+                cwd=self.folder / "machine",
+                # Where LinuxCNC keeps what its clients share.
+                env=dict(os.environ, HOME=str(self.folder / "machine" / "home")),
+                timeout=CLIENT_S,
+                check=False,
+            )
+        except subprocess.TimeoutExpired as late:
+            raise Failed("%s: no end after %.0f s in LinuxCNC" % (what, CLIENT_S)) from late
         if done.returncode != 0:
             raise Failed("%s: %s" % (what, done.stderr))
         self.mark()
@@ -514,8 +517,9 @@ def store(machine, name, text):
 
 
 def go_home(machine):
-    """Between two executions: both begin at the same place, without a tool."""
-    lines = ["T0 M6", "G49 G53 G0 Z0", "G53 G0 X0 Y0", "M5 M9", "M2"]
+    """Between two executions: both begin at the same place, without a tool, and with nothing that the one
+    before has left."""
+    lines = ["G17 G21 G40 G49 G54 G90 G91.1 G94", "G92.1", "T0 M6", "G49 G53 G0 Z0", "G53 G0 X0 Y0", "M5 M9", "M2"]
     machine.executed("home", store(machine, "home.ngc", "\n".join(lines)))
 
 
