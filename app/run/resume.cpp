@@ -92,8 +92,9 @@ base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
   const auto found = streaming::whereJobWasLeft(
       link, left, settings, checkpoint,
       [&](std::size_t part) {
-        return machine.keepsFrame ? base::Result<base::Vec3>()
-                                  : forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
+        return machine.access.keepsFrame
+                   ? base::Result<base::Vec3>()
+                   : forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
       },
       active);
   if (!found) {

@@ -181,8 +181,7 @@ struct BlockNotes {
   std::bitset<nc::kProgrammedAxisCount> given;  ///< axes that it names
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
-  bool toFixedPoint = false;
-  std::string fixedPoint;           ///< the word of such a move
+  std::string fixedPoint;           ///< "G28": it goes to such a point; empty: it does not
   bool isInHoleCycle = false;       ///< the position after it is known
   std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
   std::string corner;               ///< ,R or ,C
@@ -272,7 +271,7 @@ class Splitter final : public gcode::BlockObserver,
     noteFrame(words, executor.state());
     if (block.reason == NativeReason::Retract) {
       block.home.emplace();
-      block.home->toFixedPoint = block.toFixedPoint;
+      block.home->toFixedPoint = !block.fixedPoint.empty();
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (words.axes.has(axis)) {
           block.home->targetMm[axis] = words.axes.value[axis] * executor.state().lengthFactor;
@@ -369,7 +368,7 @@ class Splitter final : public gcode::BlockObserver,
       return;
     }
     block.isInHoleCycle = true;
-    if (words.taken || words.dwell || words.machineToken != nullptr || block.toFixedPoint) {
+    if (words.taken || words.dwell || words.machineToken != nullptr || !block.fixedPoint.empty()) {
       return;
     }
     auto lines = m_holes.drill(words, dwellSeconds(words), executor, m_wayUp);
@@ -862,7 +861,7 @@ class Splitter final : public gcode::BlockObserver,
     }
     if (block.forgets.named || block.unknown.turns) {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (block.forgets.named && (block.given[axis] || block.toFixedPoint)) {
+        if (block.forgets.named && (block.given[axis] || !block.fixedPoint.empty())) {
           forget(axis);
         }
         if (block.given[axis + nc::kFirstRotary]) {
@@ -1160,8 +1159,9 @@ class Splitter final : public gcode::BlockObserver,
                (key == kLeftByDiameter || key == kRightByDiameter)) {
       compensateBy(*key, std::move(argument));
     } else if (*reason == NativeReason::Retract) {
-      m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
-      m_block->fixedPoint = std::move(argument);
+      if (code != FaultCode::MachineCoordinates) {
+        m_block->fixedPoint = std::move(argument);
+      }
     } else if (*reason == NativeReason::WorkOffset && key == 100) {
       // G10: see `setWorkOffset`.
     } else if (*reason == NativeReason::WorkOffset && keyOfG(argument)) {
@@ -1327,11 +1327,11 @@ class Splitter final : public gcode::BlockObserver,
     native.before = before;
     native.frame = block.frame;
     native.moves = block.moves;
-    native.fixedPoint = block.toFixedPoint ? block.fixedPoint : std::string();
+    native.fixedPoint = block.fixedPoint;
     native.setsFrame = block.setsFrame;
     const nc::ModalState& now = m_executor->state();
     const bool isRapid =
-        now.motion == Motion::Rapid || block.toFixedPoint || (isForeign() && block.home);
+        now.motion == Motion::Rapid || !block.fixedPoint.empty() || (isForeign() && block.home);
     native.usesDefaultFeed = block.moves && !isRapid && now.feedIsDefault;
     native.shifts = block.forgets.all || !hasLength(block) ? allAxes() : block.forgets.length;
     native.increments = block.increments;

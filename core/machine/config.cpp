@@ -289,7 +289,7 @@ void readControl(Reader& reader, MachineConfig& config) {
       Choices<RParameterReading, 2>{{{"atInterpretation", RParameterReading::AtInterpretation},
                                      {"cachedUntilStopre", RParameterReading::CachedUntilStopre}}});
   config.jumpStops = reader.flag("control.jumpStops");
-  config.keepsFrame = reader.has("control.keepsFrame") && reader.flag("control.keepsFrame");
+  config.access.keepsFrame = reader.has("access.keepsFrame") && reader.flag("access.keepsFrame");
   config.resetDynamics =
       reader.choice("control.resetDynamics",
                     Choices<Dynamics, 2>{{{"BRISK", Dynamics::Brisk}, {"SOFT", Dynamics::Soft}}});

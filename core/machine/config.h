@@ -102,6 +102,9 @@ struct AccessCost {
   double programBytesPerS = 0.0;       ///< of its text
   base::Duration samplingMin{};        ///< shortest sampling and publishing interval
   ArrayAccess arrays;
+  /// Without a program, too, positions are told in the frame of the workpiece and with the length
+  /// of the tool. Optional in a preset; of LinuxCNC.
+  bool keepsFrame = false;
 
   /// Of storing a program of this size.
   [[nodiscard]] base::Duration programTime(std::size_t bytes) const {
@@ -144,10 +147,7 @@ struct MachineConfig {
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill until the pre-run continues
   RParameterReading rRead = RParameterReading::AtInterpretation;
-  bool jumpStops = false;  ///< jumps stop the pre-run as STOPRE does
-  /// Without a program, too, the control tells positions in the frame of the workpiece and with the
-  /// length of the tool. Optional in a preset; of LinuxCNC.
-  bool keepsFrame = false;
+  bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
   Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
   double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any
   /// $AA_OFF of X, Y and Z. Optional in a preset.

@@ -12,6 +12,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -524,9 +525,10 @@ def go_home(machine):
 
 
 def compare(machine, what, file, words):
-    """A program executed by LinuxCNC alone, with the path tolerance of the loop, and as a job.
-    @return samples of both, and how far they are from each other at most, in mm"""
-    lines = file.read_text(encoding="ascii").splitlines()
+    """A program executed by LinuxCNC alone, with the path tolerance of the loop in place of its own, and as a
+    job. @return samples of both, and how far they are from each other at most, in mm"""
+    text = file.read_text(encoding="ascii")
+    lines = re.sub(r"(?i)G64(\s*P[\d.]+)?(\s*Q[\d.]+)?", "", text).splitlines()
     lines.insert(1 if lines and lines[0].strip() == "%" else 0, "G64 P0.01")
     go_home(machine)
     plain = machine.executed(what, store(machine, "plain-" + file.name, "\n".join(lines)))
