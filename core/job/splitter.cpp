@@ -281,6 +281,11 @@ class Splitter final : public gcode::BlockObserver,
         }
       }
     }
+    // LinuxCNC moves with the feed there; the translation is rapid.
+    if (block.home && block.fixedPoint.empty() && m_language->dialect == nc::Dialect::LinuxCnc &&
+        executor.state().motion != Motion::Rapid) {
+      refuse(RefusalCode::NotTranslated, "G53 G1");
+    }
     for (std::size_t axis = nc::kFirstFurther; block.home && axis < nc::kProgrammedAxisCount;
          ++axis) {
       if (words.axes.has(axis)) {

@@ -148,6 +148,22 @@ class TestLinuxCncText final : public QObject {
     QVERIFY(programs.error().message.find("G84 X5 Y5 R2 Z-5 F500") != std::string::npos);
   }
 
+  /// A move in machine coordinates is given to the control as a rapid one.
+  void noFeedBecomesRapid() {
+    const auto refusals = [](const std::string& block, gcode::Dialect dialect) {
+      gcode::LoadOptions options;
+      options.dialect = dialect;
+      const std::string text = "G21 G90 G17\nG0 X0 Y0 Z5\nG1 X5 F100\n" + block + "\nM30\n";
+      const auto plan = job::makePlan("part.ngc", text, options, {});
+      return plan && !plan->refusals.empty() ? plan->refusals.front().argument : std::string();
+    };
+    QCOMPARE(refusals("G53 G1 Z0", gcode::Dialect::LinuxCnc), std::string("G53 G1"));
+    QCOMPARE(refusals("G53 Z0", gcode::Dialect::LinuxCnc), std::string("G53 G1"));
+    QCOMPARE(refusals("G53 G0 Z0", gcode::Dialect::LinuxCnc), std::string());
+    QCOMPARE(refusals("G28 Z9", gcode::Dialect::LinuxCnc), std::string());
+    QCOMPARE(refusals("G53 Z0", gcode::Dialect::Fanuc), std::string());  // rapid there in any case
+  }
+
   /// LinuxCNC keeps G98 and G99 from program to program.
   void whereACycleEndsHasToBeSaid() {
     const std::string drilled = "G21 G90 G17\nG0 X0 Y0 Z5\nG81 X5 Y5 Z-3 R2 F100\nX9\nG80\nM30\n";
