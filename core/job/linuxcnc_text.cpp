@@ -330,7 +330,7 @@ bool LinuxCncText::takeAxis(char letter, const Token& token, Block& block) const
 }
 
 /// A G function of a group of which one is always in force.
-void LinuxCncText::setModal(int& inForce, int g, Block& block) const {
+void LinuxCncText::setModal(int& inForce, int g, Block& block) {
   if (inForce != g) {
     inForce = g;
     block.words.push_back(fmt::format("G{}", g));
@@ -447,15 +447,7 @@ bool LinuxCncText::takeValue(std::string_view name, const Token& token, Block& b
     }
     return isNone || text == "TOFFL=-$P_TOOLL[1]";
   }
-  const bool isAxis = name.size() == 1 &&
-                      ((name[0] >= 'X' && name[0] <= 'Z') || (name[0] >= 'A' && name[0] <= 'C'));
-  if (!number) {
-    return false;
-  }
-  if (isAxis) {
-    return takeAxis(name[0], token, block);
-  }
-  if (number->reference != Reference::Modal) {
+  if (!number || number->reference != Reference::Modal) {
     return false;
   }
   if (name == "CR") {
@@ -473,7 +465,7 @@ bool LinuxCncText::takeValue(std::string_view name, const Token& token, Block& b
   return (name == "OVR" && number->value == 100.0) || (name == "OFFN" && number->value == 0.0);
 }
 
-bool LinuxCncText::takeName(std::string_view name, Block& block) const {
+bool LinuxCncText::takeName(std::string_view name, Block& block) {
   if (name == "SUPA") {
     block.isMachine = true;
     return true;

@@ -49,10 +49,10 @@ class LinuxCncText {
   [[nodiscard]] bool takeWord(const nc::Token& token, Block& block);
   [[nodiscard]] bool takeG(double number, Block& block);
   [[nodiscard]] bool takeM(int number, Block& block) const;
-  [[nodiscard]] bool takeValue(std::string_view name, const nc::Token& token, Block& block);
-  [[nodiscard]] bool takeName(std::string_view name, Block& block) const;
+  [[nodiscard]] static bool takeValue(std::string_view name, const nc::Token& token, Block& block);
+  [[nodiscard]] static bool takeName(std::string_view name, Block& block);
   [[nodiscard]] bool takeAxis(char letter, const nc::Token& token, Block& block) const;
-  void setModal(int& inForce, int g, Block& block) const;
+  static void setModal(int& inForce, int g, Block& block);
 
   nc::Dialect m_source;
   std::string m_fixedPoint;
