@@ -144,8 +144,11 @@ class Machine:
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
-        self.end()
+    def __exit__(self, _kind, why, _trace):
+        try:
+            self.end()
+        except Failed as late:
+            raise Failed("%s; and then %s" % (why, late) if why else str(late)) from why
 
     def end(self):
         try:
@@ -153,8 +156,14 @@ class Machine:
                 self.process.terminate()
                 self.process.wait(30)
         except subprocess.TimeoutExpired as late:
+            left = subprocess.run(
+                ["ps", "-g", str(self.process.pid), "-o", "pid,stat,wchan:20,args"],
+                stdout=subprocess.PIPE,
+                text=True,
+                check=False,
+            ).stdout
             os.killpg(self.process.pid, signal.SIGKILL)
-            raise Failed("LinuxCNC did not end") from late
+            raise Failed("LinuxCNC did not end:\n" + left) from late
         finally:
             shutil.rmtree(self.folder, ignore_errors=True)
 
