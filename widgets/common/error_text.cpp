@@ -469,6 +469,7 @@ struct ErrorTexts {
       case StreamError::CutOnTheWay:
       case StreamError::FeedCellIgnored:
       case StreamError::BadAirMove:
+      case StreamError::BadTestBlock:
         return refusal(code);
     }
     return {};
@@ -531,6 +532,10 @@ struct ErrorTexts {
         return tr(
             "The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. "
             "Choose another length or feed.");
+      case StreamError::BadTestBlock:
+        return tr(
+            "This block cannot be tried: the control of a job would not execute it itself, or it "
+            "ends the program. Name blocks as a program has them, as in \"S500 M3\".");
       default:
         return {};
     }

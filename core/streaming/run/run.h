@@ -69,6 +69,7 @@ enum class StreamError {
   CutOnTheWay,               ///< the first move would pass within what the program cuts
   FeedCellIgnored,           ///< the control does not obey the feed cell
   BadAirMove,                ///< the test of the feed cell cannot be made with this move
+  BadTestBlock,              ///< the test of whole jobs cannot be made with this block
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);

@@ -287,7 +287,7 @@ class TestCommon : public QObject {
                                               "no server", "opc.tcp://127.0.0.1:4840");
     language.german();
     QVERIFY(errorText(error).startsWith("opc.tcp://127.0.0.1:4840: An diesem Endpunkt"));
-    for (int code = 1; code <= static_cast<int>(streaming::StreamError::BadAirMove); ++code) {
+    for (int code = 1; code <= static_cast<int>(streaming::StreamError::BadTestBlock); ++code) {
       QVERIFY(!errorCodeText(make_error_code(static_cast<streaming::StreamError>(code))).isEmpty());
     }
     for (int code = 1; code <= static_cast<int>(opcua::LinkError::NoHistory); ++code) {
