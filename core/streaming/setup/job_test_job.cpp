@@ -150,8 +150,11 @@ Result<JobTestJob> makeJobTestJob(const JobTestPlan& plan, base::Vec3 startMm) {
     }
     test.kinds.push_back(std::move(*kinds));
   }
-  // A way back that is left belongs to the last stretch.
-  const bool isInTurns = test.plan.stretchCount() == kStretchesOfTest + plan.blocks.size();
+  // Each way is a stretch with one point; a way back that is left belongs to the last one.
+  const std::size_t ways = kStretchesOfTest + plan.blocks.size();
+  const bool isInTurns =
+      test.plan.stretchCount() == ways &&
+      test.plan.program.trajectory.points.size() == ways + plan.blocks.size() % 2;
   if (!isInTurns || !isAgreed(test, static_cast<std::size_t>(plan.move.axis))) {
     return base::fail(StreamError::BadTestBlock,
                       "After these blocks the test would not make the move that was agreed to. "
