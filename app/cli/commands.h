@@ -298,10 +298,12 @@ struct CommissionOptions {
   int baseCell = 0;
   std::string transfer = "auto";  ///< auto, by-hand
   bool printProgram = false;
-  bool feedCell = false;        ///< the test of the feed cell, else of method credit
-  std::string airMove;          ///< "X20": the move that the operator agrees to; empty: none
-  double liftMm = 0.0;          ///< of the tool while that move is held; 0: none
-  double feedMmPerMin = 400.0;  ///< of this move
+  bool feedCell = false;            ///< the test of the feed cell
+  bool jobs = false;                ///< the test of whole jobs; neither: of method credit
+  std::vector<std::string> blocks;  ///< to be tried by the test of whole jobs
+  std::string airMove;              ///< "X20": the move that the operator agrees to; empty: none
+  double liftMm = 0.0;              ///< of the tool while that move is held; 0: none
+  double feedMmPerMin = 400.0;      ///< of this move
   bool json = false;
 };
 /// Tests whether method credit may run on this machine, or its feed cell; the result is stored.

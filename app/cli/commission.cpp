@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
@@ -18,6 +21,7 @@
 #include "report/machine_store.h"
 #include "streaming/setup/commissioning.h"
 #include "streaming/setup/feed_test.h"
+#include "streaming/setup/job_test.h"
 
 namespace rivulet::cli {
 
@@ -49,6 +53,21 @@ void print(const streaming::FeedCommissioning& result) {
                  : "Not passed: a stop is sure to act only before the next window.");
 }
 
+void print(const streaming::JobCommissioning& result) {
+  printChecks(result);
+  for (const streaming::TriedBlock& block : result.tried) {
+    const bool isReleased = result.passed() && block.witness != streaming::Witness::Nobody;
+    fmt::print("{:<6} {}: {}\n", isReleased ? "tried" : "open", block.text, block.message);
+  }
+  fmt::print("{}\n", result.passed()
+                         ? "Passed: whole jobs may run on this control that have no other kinds of "
+                           "blocks than dwells, messages, modes and those listed as tried."
+                         : "Not passed: whole jobs must not run on this control.");
+}
+
+/// For the time that is said.
+constexpr int kMovesOfJobTest = 14;
+
 bool isByHand(const CommissionOptions& options) {
   return options.transfer == "by-hand";
 }
@@ -71,6 +90,32 @@ base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& 
 }
 
 /// Instructions for the operator of a real control.
+void printSteps(const CommissionOptions& options, const streaming::JobTestPlan& plan) {
+  fmt::print(stderr,
+             "The test makes this move back and forth, about ten times: {}. Keep its way clear.\n",
+             streaming::describe(plan.move));
+  for (const std::string& block : plan.blocks) {
+    fmt::print(stderr, "The control executes {}. Nothing may be in its way.\n", block);
+  }
+  fmt::print(stderr,
+             "It writes R{} to R{}, and takes about {:.0f} minutes.\n  1. Bring the channel to "
+             "reset, in AUTO.\n  2. Press cycle start whenever it is asked for, {} times in all. "
+             "Ctrl-C aborts the test.\n",
+             options.baseCell, options.baseCell + streaming::kJobTestCells - 1,
+             std::ceil(base::toSeconds(kMovesOfJobTest * plan.move.duration()) / 60.0 + 1.0),
+             streaming::kJobTestStarts);
+}
+
+/// Asks on the terminal. @return nothing: nobody is there
+std::optional<bool> hasSeen(const std::string& block) {
+  fmt::print(stderr, "The control shows nothing of \"{}\". Have you seen it being executed? [y/n] ",
+             block);
+  std::string answer;
+  return std::getline(std::cin, answer) && !answer.empty()
+             ? std::optional(answer == "y" || answer == "Y")
+             : std::nullopt;
+}
+
 void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan& plan) {
   const std::string motion =
       plan.move ? fmt::format(
@@ -121,6 +166,15 @@ Exit commission(const CommissionOptions& options) {
   if (!move) {
     return reportError(move.error(), options.json);
   }
+  streaming::JobTestPlan jobs;
+  jobs.firstCell = options.baseCell;
+  jobs.move = move->value_or(streaming::AirMove());
+  jobs.blocks = options.blocks;
+  if (options.jobs) {
+    if (const base::Result<void> fits = streaming::requireJobTestPlan(jobs); !fits) {
+      return reportError(fits.error(), options.json);
+    }
+  }
   streaming::FeedTestPlan plan;
   plan.firstCell = options.baseCell;
   plan.transfer = isByHand(options) ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
@@ -139,18 +193,29 @@ Exit commission(const CommissionOptions& options) {
   if (!identity) {
     return reportError(identity.error(), options.json);
   }
-  if (!connection->control->isVirtualMachine() || isByHand(options)) {
+  const bool hasOperator = !connection->control->isVirtualMachine();
+  if (options.jobs && hasOperator) {
+    printSteps(options, jobs);
+  } else if (hasOperator || isByHand(options)) {
     printSteps(options, plan);
   }
   interrupt::watch();
-  auto saysAgain =
-      [said = connection->control->isVirtualMachine()](streaming::CommissioningStep step) mutable {
-        if (step == streaming::CommissioningStep::CycleStartAgain && !said) {
-          said = true;
-          fmt::print(stderr, "Press cycle start once more.\n");
-        }
-        return !interrupt::wasSeen();
-      };
+  streaming::CommissioningStep said = streaming::CommissioningStep::CycleStart;
+  const auto saysAgain = [&](streaming::CommissioningStep step) {
+    if (step != std::exchange(said, step) &&
+        step == streaming::CommissioningStep::CycleStartAgain && hasOperator) {
+      fmt::print(stderr, "Press cycle start once more.\n");
+    }
+    return !interrupt::wasSeen();
+  };
+  if (options.jobs) {
+    streaming::JobTestTalk talk{saysAgain, {}};
+    if (!options.json) {
+      talk.hasSeen = hasSeen;
+    }
+    return finish(options, *connection, *identity,
+                  streaming::testJobs(*connection->link, *connection->control, jobs, talk));
+  }
   return options.feedCell ? finish(options, *connection, *identity,
                                    streaming::testFeedCell(*connection->link, *connection->control,
                                                            plan, saysAgain))

@@ -377,12 +377,13 @@ base::Result<void> JobCommand::connect() {
   if (!identity) {
     return base::fail(identity.error());
   }
-  if (!templates::runsWholeJobs(identity->applicationUri,
-                                m_connection.control->isVirtualMachine())) {
-    return base::fail(streaming::StreamError::NotCommissioned,
-                      "Whole jobs run on virtual machines and on LinuxCNC only so far. Nothing was "
-                      "changed on the control.",
-                      m_connection.name);
+  const auto release = jobRelease(m_connection);
+  if (!release) {
+    return base::fail(release.error());
+  }
+  if (base::Result<void> released = release->require(m_plan); !released) {
+    released.error().message += " Nothing was changed on the control.";
+    return released;
   }
   const templates::TemplateParameters before = m_settings.parameters;
   m_settings.parameters =
@@ -399,6 +400,14 @@ base::Result<void> JobCommand::connect() {
     }
   }
   // Wrong motion of a virtual machine does no harm; LinuxCNC reads a pin when it passes the block.
+  const bool needsTest =
+      base::needsCommissioning(m_settings.parameters.method) &&
+      !templates::runsWholeJobs(identity->applicationUri, m_connection.control->isVirtualMachine());
+  if (needsTest) {
+    if (base::Result<void> tested = requireCreditTest(m_connection); !tested) {
+      return tested;
+    }
+  }
   m_settings.isCommissioned = true;
   if (!m_options.simulate) {
     m_settings.origin = report::thisUser();

@@ -841,15 +841,18 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::CommissionOptions>();
   CLI::App* command = app.add_subcommand(
       "commission",
-      "Test a control: whether method credit may run on it, or whether a stop acts at once");
+      "Test a control: whether method credit or whole jobs may run on it, or whether a stop acts "
+      "at once");
   auto* tested = command->add_option("--endpoint", options->endpoint, "OPC UA server");
   auto* pretended = command->add_flag("--simulate", options->simulate, "Virtual machine");
   tested->excludes(pretended);
   command->add_option("--preset", options->preset, "Machine of --simulate")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command
-      ->add_option("--base-cell", options->baseCell,
-                   "First of ten R-parameters that nobody uses; of eighteen with --feed-cell")
+      ->add_option(
+          "--base-cell", options->baseCell,
+          "First of ten R-parameters that nobody uses; of eighteen with --feed-cell, of 36 "
+          "with --jobs")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   command
@@ -863,11 +866,21 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   auto* feedCell = command->add_flag("--feed-cell", options->feedCell,
                                      "Test whether hold, stop and override act at once. Without "
                                      "--air-move no axis moves, and the axes are not seen to obey");
-  auto* move = command
-                   ->add_option("--air-move", options->airMove,
-                                "You agree that this axis moves so many mm back and forth, three "
-                                "times, with nothing in its way: X20")
-                   ->needs(feedCell);
+  auto* jobs = command->add_flag("--jobs", options->jobs,
+                                 "Test whether whole jobs may run: needs --air-move, and cycle "
+                                 "start five times");
+  jobs->excludes(feedCell);
+  command
+      ->add_option(
+          "--block", options->blocks,
+          "You agree that the control executes this block, as in \"S500 M3\", with nothing "
+          "in its way; may be given again. A job may have only blocks of kinds that have "
+          "been tried")
+      ->needs(jobs)
+      ->take_all();
+  auto* move = command->add_option("--air-move", options->airMove,
+                                   "You agree that this axis moves so many mm back and forth, "
+                                   "several times, with nothing in its way: X20");
   command
       ->add_option(
           "--lift", options->liftMm,
@@ -882,6 +895,15 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] {
     if (!options->simulate && options->endpoint.empty() && !options->printProgram) {
       throw CLI::RequiredError("--endpoint or --simulate");
+    }
+    if (options->jobs && options->airMove.empty()) {
+      throw CLI::RequiredError("--air-move, with --jobs,");
+    }
+    if (!options->airMove.empty() && !options->jobs && !options->feedCell) {
+      throw CLI::RequiredError("--feed-cell or --jobs, with --air-move,");
+    }
+    if (options->jobs && (options->printProgram || options->transfer == "by-hand")) {
+      throw CLI::ValidationError("--jobs", "Rivulet transfers the programs of this test itself.");
     }
     exit = rivulet::cli::commission(*options);
   });

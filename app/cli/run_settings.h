@@ -43,6 +43,9 @@ namespace rivulet::cli {
                                                                const Connection& connection);
 
 /// Method credit only if its test has been passed. In virtual time the test is made now.
+[[nodiscard]] base::Result<void> requireCreditTest(const Connection& connection);
+/// Which whole jobs may run there.
+[[nodiscard]] base::Result<streaming::JobRelease> jobRelease(const Connection& connection);
 [[nodiscard]] base::Result<void> requireTest(const StreamOptions& options,
                                              const Connection& connection);
 

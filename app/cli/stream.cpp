@@ -160,18 +160,29 @@ base::Result<streaming::FeedProof> takeStopLimit(streaming::RunSettings& setting
   return proof;
 }
 
+base::Result<void> requireCreditTest(const Connection& connection) {
+  const auto identity = connection.control->identity();
+  if (!identity) {
+    return base::fail(identity.error());
+  }
+  const auto test = report::MachineStore().creditTest(connection.name, *identity);
+  return test ? streaming::requireCreditTest(*test, connection.name, *identity)
+              : base::Result<void>(base::fail(test.error()));
+}
+
+base::Result<streaming::JobRelease> jobRelease(const Connection& connection) {
+  const auto identity = connection.control->identity();
+  return identity ? report::MachineStore().jobRelease(connection.name, *identity,
+                                                      connection.control->isVirtualMachine())
+                  : base::Result<streaming::JobRelease>(base::fail(identity.error()));
+}
+
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
   if (options.point.parameters().target == templates::TargetControl::LinuxCnc) {
     return {};  // its interpreter reads a pin when it passes the block, see docs/linuxcnc.md
   }
   if (!options.simulate) {
-    const auto identity = connection.control->identity();
-    if (!identity) {
-      return base::fail(identity.error());
-    }
-    const auto test = report::MachineStore().creditTest(connection.name, *identity);
-    return test ? streaming::requireCreditTest(*test, connection.name, *identity)
-                : base::Result<void>(base::fail(test.error()));
+    return requireCreditTest(connection);
   }
   streaming::CommissioningPlan plan;
   plan.firstCell = options.point.baseCell;
@@ -869,21 +880,14 @@ JobOptions jobOf(const StreamOptions& options) {
   return job;
 }
 
-/// Whether the machine executes whole jobs.
-base::Result<bool> runsJobs(const StreamOptions& options) {
+/// Which whole jobs the machine may run.
+base::Result<streaming::JobRelease> releaseOf(const StreamOptions& options) {
   if (options.simulate) {
-    return true;
+    return streaming::JobRelease();
   }
-  auto connection = connectTo(options.endpoint);
-  if (!connection) {
-    return base::fail(connection.error());
-  }
-  const auto identity = connection->control->identity();
-  if (!identity) {
-    return base::fail(identity.error());
-  }
-  return templates::runsWholeJobs(identity->applicationUri,
-                                  connection->control->isVirtualMachine());
+  const auto connection = connectTo(options.endpoint);
+  return connection ? jobRelease(*connection)
+                    : base::Result<streaming::JobRelease>(base::fail(connection.error()));
 }
 
 /// Says which blocks are left out, if the program has such.
@@ -914,15 +918,15 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   if (!options.motionOption.empty()) {
     return leaveOut(options.motionOption + " is for the motion alone");
   }
-  const base::Result<bool> runs = runsJobs(options);
-  if (!runs) {
-    return base::fail(runs.error());
+  const base::Result<streaming::JobRelease> release = releaseOf(options);
+  if (!release) {
+    return base::fail(release.error());
   }
   if (base::Result<void> meant = requireMeaning(plan->program, false); !meant) {
     return base::fail(meant.error());
   }
-  if (!*runs) {
-    return leaveOut("whole jobs run on virtual machines and on LinuxCNC only so far");
+  if (!release->runsJobs()) {
+    return leaveOut("whole jobs have not been tested on this control (commission --jobs)");
   }
   if (!plan->refusals.empty()) {
     return base::fail(

@@ -30,7 +30,10 @@ void ControlTests::take(const session::CommissioningFinished& finished) {
   if (finished.feed) {
     m_feed = finished.feed;
   }
-  if (finished.credit || finished.feed) {
+  if (finished.jobs) {
+    m_jobs = finished.jobs;
+  }
+  if (finished.credit || finished.feed || finished.jobs) {
     tellProof();
     Q_EMIT testChanged();
   }
@@ -64,11 +67,13 @@ void ControlTests::cancel() {
 void ControlTests::load() {
   m_credit.reset();
   m_feed.reset();
+  m_jobs.reset();
   if (m_machine.isConnected()) {
     // A file that cannot be read counts as no test: nothing is promised by it.
     const std::string endpoint = m_machine.endpoint().toStdString();
     m_credit = m_store.creditTest(endpoint, m_machine.link().server).value_or(std::nullopt);
     m_feed = m_store.feedTest(endpoint, m_machine.link().server).value_or(std::nullopt);
+    m_jobs = m_store.jobTest(endpoint, m_machine.link().server).value_or(std::nullopt);
   }
   tellProof();
   Q_EMIT testChanged();
@@ -78,12 +83,14 @@ void ControlTests::tellProof() {
   // Without a connection nobody knows on which machine a run will be.
   if (!m_machine.isConnected()) {
     m_document.setFeedProof(streaming::FeedProof::Proved, templates::kLiftMmMax);
+    m_document.setJobRelease({});
     return;
   }
   const opcua::ServerIdentity& server = m_machine.link().server;
   const bool isVirtual = m_machine.view().isVirtualMachine;
   m_document.setFeedProof(streaming::feedProof(m_feed, server, isVirtual),
                           streaming::provedLiftMm(m_feed, server, isVirtual));
+  m_document.setJobRelease({m_jobs, m_machine.endpoint().toStdString(), server, isVirtual});
 }
 
 }  // namespace rivulet::hmi

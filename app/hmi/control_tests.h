@@ -38,6 +38,8 @@ class ControlTests final : public QObject {
   [[nodiscard]] const std::optional<streaming::CreditTest>& test() const { return m_credit; }
   /// The same of the feed cell.
   [[nodiscard]] const std::optional<streaming::FeedTest>& feedTest() const { return m_feed; }
+  /// The same of whole jobs.
+  [[nodiscard]] const std::optional<streaming::JobTest>& jobTest() const { return m_jobs; }
   /// A test was made with another version of the server.
   template <class Test>
   [[nodiscard]] bool isOutdated(const std::optional<Test>& test) const {
@@ -69,6 +71,7 @@ class ControlTests final : public QObject {
   report::MachineStore m_store;
   std::optional<streaming::CreditTest> m_credit;
   std::optional<streaming::FeedTest> m_feed;
+  std::optional<streaming::JobTest> m_jobs;
 };
 
 }  // namespace rivulet::hmi

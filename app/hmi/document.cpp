@@ -168,7 +168,7 @@ std::optional<Document::JobObstacle> Document::jobObstacle() const {
   if (outline() == nullptr) {
     return std::nullopt;
   }
-  if (!m_runsJobs) {
+  if (!m_jobRelease.runsJobs()) {
     return JobObstacle::Machine;
   }
   if (!base::hasWindows(m_settings.parameters.method)) {
@@ -182,13 +182,13 @@ std::optional<Document::JobObstacle> Document::jobObstacle() const {
 }
 
 bool Document::wantsJob() const {
-  return m_settings.wholeJob && m_runsJobs && !m_isMotionAlone &&
+  return m_settings.wholeJob && m_jobRelease.runsJobs() && !m_isMotionAlone &&
          base::hasWindows(m_settings.parameters.method) &&
          m_settings.parameters.correctionLimitMm == 0.0;
 }
 
-void Document::setRunsJobs(bool runsJobs) {
-  m_runsJobs = runsJobs;
+void Document::setJobRelease(const streaming::JobRelease& release) {
+  m_jobRelease = release;
   followJob();
 }
 

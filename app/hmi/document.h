@@ -169,8 +169,9 @@ class Document final : public QObject {
 
   /// What access costs on the connected machine. @param record  null: not measured
   void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
-  /// The connected machine runs whole jobs; true also while none is connected.
-  void setRunsJobs(bool runsJobs);
+  /// Which whole jobs may run on the connected machine; all while none is connected.
+  void setJobRelease(const streaming::JobRelease& release);
+  [[nodiscard]] const streaming::JobRelease& jobRelease() const { return m_jobRelease; }
   /// Where a run would begin. Points that depend on it are made again, but not those of a run.
   void setToolPosition(const base::Vec3& positionMm);
   /// Makes points again that depend on the tool's position, if it has moved, or on how long a move
@@ -306,7 +307,7 @@ class Document final : public QObject {
   };
   Moves m_moves;
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
-  bool m_runsJobs = true;
+  streaming::JobRelease m_jobRelease;
   bool m_isMotionAlone = false;  ///< see `openMotion`
   /// Of the machine.
   struct Motion {

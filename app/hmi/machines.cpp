@@ -63,6 +63,7 @@ std::vector<widgets::MachineCardView> Machines::cards() const {
     card.hasCalibration = card.hasCalibration || known.hasCalibration;
     card.hasCreditTest = card.hasCreditTest || known.hasCreditTest;
     card.hasFeedTest = card.hasFeedTest || known.hasFeedTest;
+    card.hasJobTest = card.hasJobTest || known.hasJobTest;
   }
   if (m_history) {
     for (const streaming::RunSummary& run : m_history->runs) {  // the newest first

@@ -108,9 +108,6 @@ RunController::RunController(StreamSession& session, Document& document, Machine
                    [text = QString::fromStdString(note.text)] { return widgets::noteText(text); });
   });
   connect(&m_machine, &MachineModel::linkChanged, this, [this] {
-    m_document.setRunsJobs(!m_machine.isConnected() ||
-                           templates::runsWholeJobs(m_machine.link().server.applicationUri,
-                                                    m_machine.view().isVirtualMachine));
     if (m_machine.isConnected()) {  // until another is: a lost connection changes no program
       m_document.setTarget(templates::targetOf(m_machine.link().server.applicationUri));
     }
@@ -173,6 +170,17 @@ streaming::StartFacts RunController::facts(Act act) const {
 }
 
 std::optional<streaming::JobCheck> RunController::jobCheck(Act act) const {
+  if (const job::NativeBlock* const untried =
+          m_document.isJob() ? m_document.jobRelease().firstUntried(*m_document.view()->plan)
+                             : nullptr) {
+    return streaming::JobCheck{
+        true, base::makeError(job::JobError::BeyondMachine,
+                              tr("Line %1: \"%2\" has not been tried on this machine. Test it on "
+                                 "the page Job test, or run the motion only.")
+                                  .arg(untried->place.line.value)
+                                  .arg(QString::fromStdString(untried->text))
+                                  .toStdString())};
+  }
   const Findings& findings = m_document.findings();
   const bool isRestart = act == Act::Resume && m_restart;
   if (!isRestart && !findings.isJobChecked) {

@@ -22,16 +22,44 @@ void resultFields(Io& io, auto& result, const streaming::Commissioning& /*kind*/
   io.ifThere().milliseconds("slowest_answer_ms", result.slowestAnswer);
 }
 
+constexpr auto kMoveFields = [](auto& io, auto& move) {
+  io.number("axis", move.axis, 0, static_cast<int>(base::kAxisCount) - 1);
+  io.number("mm", move.mm, -kMoveMost, kMoveMost);
+  io.number("feed_mm_per_min", move.feedMmPerMin, 0.0, kMoveMost);
+  io.ifThere().number("lift_mm", move.liftMm, 0.0, templates::kLiftMmMax);
+};
+
 template <class Io>
 void resultFields(Io& io, auto& result, const streaming::FeedCommissioning& /*kind*/) {
-  maybe(io, "air_move", result.move, [](auto& inner, auto& move) {
-    inner.number("axis", move.axis, 0, static_cast<int>(base::kAxisCount) - 1);
-    inner.number("mm", move.mm, -kMoveMost, kMoveMost);
-    inner.number("feed_mm_per_min", move.feedMmPerMin, 0.0, kMoveMost);
-    inner.ifThere().number("lift_mm", move.liftMm, 0.0, templates::kLiftMmMax);
-  });
+  maybe(io, "air_move", result.move, kMoveFields);
   io.ifThere().milliseconds("braking_ms", result.braking);
   io.ifThere().number("overlay_limit_mm", result.limitMm, -kMoveMost, kMoveMost);
+}
+
+constexpr auto kTriedFields = [](auto& io, auto& block) {
+  io.text("block", block.text);
+  std::vector<std::string> kinds;
+  for (const job::NativeReason kind : block.kinds) {
+    kinds.emplace_back(job::nativeReasonName(kind));
+  }
+  io.words("kinds", kinds);
+  if constexpr (std::remove_cvref_t<decltype(io)>::kReads) {
+    for (const std::string& name : kinds) {
+      if (const auto kind = job::nativeReasonFromName(name)) {
+        block.kinds.push_back(*kind);
+      } else {
+        io.refuse();
+      }
+    }
+  }
+  io.named("seen_by", block.witness, streaming::witnessName, streaming::witnessFromName);
+  io.text("message", block.message);
+};
+
+template <class Io>
+void resultFields(Io& io, auto& result, const streaming::JobCommissioning& /*kind*/) {
+  io.ifThere().object("air_move", result.move, kMoveFields);
+  io.ifThere().list("tried", result.tried, kTriedFields);
 }
 
 /// What a file does not say is empty.
@@ -80,12 +108,20 @@ ordered_json testJson(const streaming::FeedTest& test) {
   return jsonOf(test);
 }
 
+ordered_json testJson(const streaming::JobTest& test) {
+  return jsonOf(test);
+}
+
 streaming::CreditTest creditTestOf(const ordered_json& json) {
   return testOf<streaming::CreditTest>(json);
 }
 
 streaming::FeedTest feedTestOf(const ordered_json& json) {
   return testOf<streaming::FeedTest>(json);
+}
+
+streaming::JobTest jobTestOf(const ordered_json& json) {
+  return testOf<streaming::JobTest>(json);
 }
 
 }  // namespace rivulet::report

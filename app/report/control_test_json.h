@@ -14,9 +14,11 @@ namespace rivulet::report {
 
 [[nodiscard]] nlohmann::ordered_json testJson(const streaming::CreditTest& test);
 [[nodiscard]] nlohmann::ordered_json testJson(const streaming::FeedTest& test);
+[[nodiscard]] nlohmann::ordered_json testJson(const streaming::JobTest& test);
 /// Inverse of `testJson`. A value of another type counts as missing: a test that says so little has
 /// not been passed.
 [[nodiscard]] streaming::CreditTest creditTestOf(const nlohmann::ordered_json& json);
 [[nodiscard]] streaming::FeedTest feedTestOf(const nlohmann::ordered_json& json);
+[[nodiscard]] streaming::JobTest jobTestOf(const nlohmann::ordered_json& json);
 
 }  // namespace rivulet::report

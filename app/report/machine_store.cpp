@@ -35,6 +35,7 @@ constexpr const char* kRemovedFile = "removed.json";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
 constexpr const char* kFeedTestKey = "feed_test";
+constexpr const char* kJobTestKey = "job_test";
 constexpr const char* kProfileKey = "profile";
 constexpr const char* kFunctionsKey = "m_functions";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
@@ -177,26 +178,42 @@ base::Result<std::optional<streaming::CalibrationRecord>> MachineStore::calibrat
   return std::optional(std::move(*record));
 }
 
-base::Result<std::optional<streaming::CreditTest>> MachineStore::creditTest(
-    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+template <class Test>
+base::Result<std::optional<Test>> MachineStore::test(const std::string& endpoint,
+                                                     const opcua::ServerIdentity& server,
+                                                     const char* key,
+                                                     Test (*testOf)(const ordered_json&)) const {
   const base::Result<ordered_json> machine = read(endpoint, server);
   if (!machine) {
     return base::fail(machine.error());
   }
-  const auto test = machine->find(kCreditTestKey);
-  return test == machine->end() || !test->is_object() ? std::nullopt
-                                                      : std::optional(creditTestOf(*test));
+  const auto test = machine->find(key);
+  return test == machine->end() || !test->is_object() ? std::nullopt : std::optional(testOf(*test));
+}
+
+base::Result<std::optional<streaming::CreditTest>> MachineStore::creditTest(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  return test(endpoint, server, kCreditTestKey, creditTestOf);
 }
 
 base::Result<std::optional<streaming::FeedTest>> MachineStore::feedTest(
     const std::string& endpoint, const opcua::ServerIdentity& server) const {
-  const base::Result<ordered_json> machine = read(endpoint, server);
-  if (!machine) {
-    return base::fail(machine.error());
+  return test(endpoint, server, kFeedTestKey, feedTestOf);
+}
+
+base::Result<std::optional<streaming::JobTest>> MachineStore::jobTest(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  return test(endpoint, server, kJobTestKey, jobTestOf);
+}
+
+base::Result<streaming::JobRelease> MachineStore::jobRelease(const std::string& endpoint,
+                                                             const opcua::ServerIdentity& server,
+                                                             bool isVirtualMachine) const {
+  const auto tested = jobTest(endpoint, server);
+  if (!tested) {
+    return base::fail(tested.error());
   }
-  const auto test = machine->find(kFeedTestKey);
-  return test == machine->end() || !test->is_object() ? std::nullopt
-                                                      : std::optional(feedTestOf(*test));
+  return streaming::JobRelease(*tested, endpoint, server, isVirtualMachine);
 }
 
 base::Result<std::optional<streaming::MachineProfile>> MachineStore::profile(
@@ -249,7 +266,7 @@ std::vector<KnownMachine> MachineStore::machines() const {
     }
     // Each fact names its machine; the profile comes first because it has the name.
     for (const char* key :
-         {kProfileKey, kCalibrationKey, kCreditTestKey, kFeedTestKey, kFunctionsKey}) {
+         {kProfileKey, kCalibrationKey, kCreditTestKey, kFeedTestKey, kJobTestKey, kFunctionsKey}) {
       const auto fact = json.find(key);
       if (fact == json.end() || !fact->is_object() || !fact->contains("endpoint") ||
           !(*fact)["endpoint"].is_string()) {
@@ -269,6 +286,7 @@ std::vector<KnownMachine> MachineStore::machines() const {
       machine.hasCalibration = json.contains(kCalibrationKey);
       machine.hasCreditTest = json.contains(kCreditTestKey);
       machine.hasFeedTest = json.contains(kFeedTestKey);
+      machine.hasJobTest = json.contains(kJobTestKey);
       found.push_back(std::move(machine));
       break;
     }
@@ -360,6 +378,11 @@ base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
 
 base::Result<void> MachineStore::save(const streaming::FeedTest& test) const {
   return saveMember(test.endpoint, test.server, kFeedTestKey,
+                    [&test](const auto&) { return testJson(test); });
+}
+
+base::Result<void> MachineStore::save(const streaming::JobTest& test) const {
+  return saveMember(test.endpoint, test.server, kJobTestKey,
                     [&test](const auto&) { return testJson(test); });
 }
 

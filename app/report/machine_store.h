@@ -47,6 +47,7 @@ struct KnownMachine {
   bool hasCalibration = false;
   bool hasCreditTest = false;
   bool hasFeedTest = false;
+  bool hasJobTest = false;
 };
 
 class MachineStore {
@@ -70,6 +71,14 @@ class MachineStore {
   /// The same of the feed cell.
   [[nodiscard]] base::Result<std::optional<streaming::FeedTest>> feedTest(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
+
+  /// The same of whole jobs.
+  [[nodiscard]] base::Result<std::optional<streaming::JobTest>> jobTest(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// What that test says about whole jobs there.
+  [[nodiscard]] base::Result<streaming::JobRelease> jobRelease(const std::string& endpoint,
+                                                               const opcua::ServerIdentity& server,
+                                                               bool isVirtualMachine) const;
 
   /// The limits that were entered for this machine; nothing if there are none.
   /// @return as `calibration`
@@ -95,6 +104,7 @@ class MachineStore {
   [[nodiscard]] base::Result<void> save(const streaming::CalibrationRecord& record) const;
   [[nodiscard]] base::Result<void> save(const streaming::CreditTest& test) const;
   [[nodiscard]] base::Result<void> save(const streaming::FeedTest& test) const;
+  [[nodiscard]] base::Result<void> save(const streaming::JobTest& test) const;
   [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
   [[nodiscard]] base::Result<void> save(const std::string& endpoint,
                                         const opcua::ServerIdentity& server,
@@ -106,6 +116,11 @@ class MachineStore {
   [[nodiscard]] base::Result<base::FileLock> lock() const;
   [[nodiscard]] base::Result<nlohmann::ordered_json> read(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// A test that the file keeps under this key; nothing: none.
+  template <class Test>
+  [[nodiscard]] base::Result<std::optional<Test>> test(
+      const std::string& endpoint, const opcua::ServerIdentity& server, const char* key,
+      Test (*testOf)(const nlohmann::ordered_json&)) const;
   /// Makes a member of the file from the one that was there; null: none.
   using Make = std::function<nlohmann::ordered_json(const nlohmann::ordered_json& was)>;
   [[nodiscard]] base::Result<void> saveMember(const std::string& endpoint,

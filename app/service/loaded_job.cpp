@@ -41,8 +41,8 @@ const std::string* valueOf(const preparation::SettingsFacts& facts, const std::s
 /// Why the blocks of a program that are for the control would be left out.
 std::string whyNoJob(const job::Plan& plan, const streaming::StreamSettings& settings,
                      const MachineFacts& machine) {
-  if (!machine.runsJobs) {
-    return "whole jobs run on virtual machines and on LinuxCNC only so far";
+  if (!machine.jobs.runsJobs()) {
+    return machine.jobs.whyNone();
   }
   if (!plan.refusals.empty()) {
     return job::describe(plan.refusals.front());
@@ -78,11 +78,15 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   if (!feedTest) {
     return base::fail(feedTest.error());
   }
+  auto jobs = store.jobRelease(endpoint, server, isVirtual);
+  if (!jobs) {
+    return base::fail(jobs.error());
+  }
   const streaming::MachineProfile* limits = *profile ? &**profile : nullptr;
   MachineFacts facts;
   facts.endpoint = endpoint;
   facts.server = server;
-  facts.runsJobs = templates::runsWholeJobs(server.applicationUri, isVirtual);
+  facts.jobs = *std::move(jobs);
   facts.load = report::loadMachineOf(store, endpoint, server, isVirtual, limits);
   facts.silenceLimitS = streaming::silenceLimitS(limits);
   facts.stopLimitS = streaming::stopLimitS(limits);
@@ -220,7 +224,7 @@ base::Result<LoadedJob> loadJob(
   }
   job.settings.parameters = templates::forTarget(
       job.settings.parameters, templates::targetOf(machine.server.applicationUri));
-  const bool asJob = job.settings.wholeJob && machine.runsJobs &&
+  const bool asJob = job.settings.wholeJob && machine.jobs.runsJobs() &&
                      base::hasWindows(job.settings.parameters.method) &&
                      job.settings.parameters.correctionLimitMm == 0.0;
   preparation::SplitProgram split = preparation::splitProgram(
@@ -242,6 +246,11 @@ base::Result<LoadedJob> loadJob(
                     leftOut, first.place.line.value, first.source,
                     whyNoJob(*job.view->plan, job.settings, machine)),
         job.view->program->name);
+  }
+  if (job.view->isJob()) {
+    if (base::Result<void> released = machine.jobs.require(*job.view->plan); !released) {
+      return base::fail(released.error());
+    }
   }
   job.place(toolMm, machine);
   if (job.view->isJob() && machine.known) {

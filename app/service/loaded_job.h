@@ -32,7 +32,7 @@ namespace rivulet::service {
 struct MachineFacts {
   std::string endpoint;
   opcua::ServerIdentity server;
-  bool runsJobs = false;                             ///< whole jobs, `templates::runsWholeJobs`
+  streaming::JobRelease jobs;                        ///< which may run there
   report::LoadMachine load;                          ///< what loading a program asks of it
   gcode::ProgramFeeds feeds;                         ///< its limits, at 100 %
   double silenceLimitS = templates::kSilenceLimitS;  ///< see `streaming::silenceLimitS`

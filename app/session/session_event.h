@@ -130,7 +130,7 @@ struct CalibrationFinished {
 };
 
 /// Tests of the control.
-enum class TestKind { Credit, FeedCell };
+enum class TestKind { Credit, FeedCell, Jobs };
 
 /// What a test of the control is waiting for.
 struct CommissioningProgress {
@@ -140,9 +140,10 @@ struct CommissioningProgress {
 struct CommissioningFinished {
   TestKind kind = TestKind::Credit;
   base::Error error{};  ///< also if the test could not be stored
-  // The one of its kind; neither: see `error`.
+  // The one of its kind; none: see `error`.
   std::optional<streaming::CreditTest> credit{};
   std::optional<streaming::FeedTest> feed{};
+  std::optional<streaming::JobTest> jobs{};
 };
 
 /// The live source that was asked for. Told again after each run, when it is there for the next.
@@ -231,7 +232,8 @@ struct CommissionCommand {
   TestKind kind = TestKind::Credit;
   int firstCell = 0;
   streaming::TransferWay transfer = streaming::TransferWay::Link;
-  std::optional<streaming::AirMove> move{};  ///< of the test of the feed cell
+  std::optional<streaming::AirMove> move{};  ///< of the tests of the feed cell and of whole jobs
+  std::vector<std::string> blocks{};         ///< to be tried by the test of whole jobs
   std::string startedAtUtc{};
 };
 

@@ -910,8 +910,9 @@ void SessionWorker::commission(const CommissionCommand& command) {
       told = step;
       tell(CommissioningProgress{command.kind, step});
     }
-    // An axis may move. What cannot be read is noticed by the test.
-    if (link.now() >= nextLook) {
+    // An axis may move. What cannot be read is noticed by the test. The job of a test has accesses
+    // of its own, and shows the place by them.
+    if (command.kind != TestKind::Jobs && link.now() >= nextLook) {
       if (auto seen = readControl()) {
         tellIfRoom(*std::move(seen));
       }
@@ -930,7 +931,13 @@ void SessionWorker::commission(const CommissionCommand& command) {
     const base::Result<void> saved = m_machines.save(*test);
     finished.error = saved ? base::Error{} : saved.error();
   };
-  if (command.kind == TestKind::FeedCell) {
+  if (command.kind == TestKind::Jobs) {
+    streaming::JobTestPlan jobs;
+    static_cast<streaming::CommissioningPlan&>(jobs) = plan;
+    jobs.move = command.move.value_or(streaming::AirMove());
+    jobs.blocks = command.blocks;
+    keep(streaming::testJobs(link, *m_connection.control, jobs, {progress, {}}), finished.jobs);
+  } else if (command.kind == TestKind::FeedCell) {
     keep(streaming::testFeedCell(link, *m_connection.control, plan, progress), finished.feed);
   } else {
     keep(streaming::commission(link, *m_connection.control, plan, progress), finished.credit);

@@ -180,6 +180,12 @@ const NativeReasonRow& rowOf(NativeReason reason) {
   return kRows[static_cast<std::size_t>(reason)];
 }
 
+std::optional<NativeReason> nativeReasonFromName(std::string_view name) {
+  const auto row = std::find_if(kRows.begin(), kRows.end(),
+                                [name](const NativeReasonRow& each) { return each.name == name; });
+  return row == kRows.end() ? std::nullopt : std::optional(row->reason);
+}
+
 std::optional<NativeReason> reasonOfG(nc::Dialect dialect, int key) {
   switch (nc::gTable(dialect)[static_cast<std::size_t>(key)]) {
     case GEffect::Dwell:

@@ -57,6 +57,9 @@ struct NativeReasonRow {
   return rowOf(reason).name;
 }
 
+/// Inverse of `nativeReasonName`; nothing for an unknown name.
+[[nodiscard]] std::optional<NativeReason> nativeReasonFromName(std::string_view name);
+
 // What a word without effect on the path is for. Nothing: Rivulet carries it, or the loop does not
 // need it.
 /// @param key  as in `nc::gTable`

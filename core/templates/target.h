@@ -20,8 +20,8 @@ inline constexpr std::string_view kLinuxCncApplicationUri = "urn:rivulet:linuxcn
                                                    : TargetControl::Sinumerik;
 }
 
-/// Whole jobs are released for virtual machines, whose wrong motion does no harm, and for LinuxCNC,
-/// against which they are tested.
+/// Where whole jobs run without a test of the machine: on virtual machines, whose wrong motion does
+/// no harm, and on LinuxCNC, against which they are tested.
 [[nodiscard]] constexpr bool runsWholeJobs(std::string_view applicationUri, bool isVirtual) {
   return isVirtual || targetOf(applicationUri) == TargetControl::LinuxCnc;
 }

@@ -201,7 +201,6 @@ class TestJobTest : public QObject {
     QTest::newRow("half of it streamed") << QStringLiteral("M8\nG1 X5");
     QTest::newRow("a jump") << QStringLiteral("GOTOB AGAIN");
     QTest::newRow("another frame") << QStringLiteral("TRANS X100");
-    QTest::newRow("another plane") << QStringLiteral("G18 M8");
     QTest::newRow("a variable") << QStringLiteral("R1=5");
   }
   void badBlocksAreRefused() {

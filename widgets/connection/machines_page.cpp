@@ -91,6 +91,9 @@ class MachineCard final : public BoardCard {
     if (m_view.hasFeedTest) {
       kept.append(tr("stop test"));
     }
+    if (m_view.hasJobTest) {
+      kept.append(tr("job test"));
+    }
     const QString question =
         tr("Remove this machine from the list? Its runs and recordings stay on the page Runs.");
     return kept.isEmpty() ? question

@@ -42,11 +42,12 @@ struct MachineCardView {
   bool hasCalibration = false;
   bool hasCreditTest = false;
   bool hasFeedTest = false;
+  bool hasJobTest = false;
   bool canRemove = false;   ///< from the list, now
   bool isLeftOver = false;  ///< a virtual machine that is gone, and of which nothing is kept
 
   [[nodiscard]] bool hasFacts() const {
-    return hasLimits || hasCalibration || hasCreditTest || hasFeedTest;
+    return hasLimits || hasCalibration || hasCreditTest || hasFeedTest || hasJobTest;
   }
 };
 

@@ -82,7 +82,7 @@ struct RunTexts {
     }
     switch (*obstacle) {
       case Document::JobObstacle::Machine:
-        return tr("Whole jobs run on virtual machines and on LinuxCNC only so far.");
+        return tr("Whole jobs have not been tested on this machine: Set up, Job test.");
       case Document::JobObstacle::Method:
         return tr("Whole jobs need method window or credit.");
       case Document::JobObstacle::Correction:

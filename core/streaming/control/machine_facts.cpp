@@ -5,8 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/error.h"
 #include "streaming/run/run.h"
+#include "templates/target.h"
 
 namespace rivulet::streaming {
 
@@ -85,6 +88,55 @@ std::string_view describe(FeedProof proof) {
              "seen (rivulet-cli commission --feed-cell --air-move).";
   }
   return {};
+}
+
+JobRelease::JobRelease(const std::optional<JobTest>& test, std::string endpoint,
+                       const opcua::ServerIdentity& now, bool isVirtualMachine)
+    : m_isUnlimited(templates::runsWholeJobs(now.applicationUri, isVirtualMachine)),
+      m_endpoint(std::move(endpoint)) {
+  if (m_isUnlimited) {
+    return;
+  }
+  m_whyNone =
+      !test                    ? "Whole jobs have not been tested on this control."
+      : !(test->server == now) ? fmt::format("Whole jobs were tested with {}; now it is {}.",
+                                             versionText(test->server), versionText(now))
+      : !test->result.passed()
+          ? fmt::format("This control failed the test of whole jobs on {}.", test->testedAtUtc)
+          : std::string();
+  if (m_whyNone.empty()) {
+    m_tested = test->result;
+  }
+}
+
+const job::NativeBlock* JobRelease::firstUntried(const job::Plan& plan) const {
+  for (const job::Part& part : plan.parts) {
+    const auto* const block = std::get_if<job::NativeBlock>(&part);
+    if (!m_isUnlimited && block != nullptr && !block->text.empty() && !m_tested.releases(*block)) {
+      return block;
+    }
+  }
+  return nullptr;
+}
+
+base::Result<void> JobRelease::require(const job::Plan& plan) const {
+  if (!runsJobs()) {
+    return base::fail(StreamError::NotCommissioned,
+                      fmt::format("{} Test it with rivulet-cli commission --jobs --endpoint {}, or "
+                                  "stream the motion alone.",
+                                  m_whyNone, m_endpoint));
+  }
+  const job::NativeBlock* const block = firstUntried(plan);
+  if (block == nullptr) {
+    return {};
+  }
+  return base::fail(
+      StreamError::NotCommissioned,
+      fmt::format("Line {}{}: \"{}\" ({}) has not been tried on this control. Test it with "
+                  "rivulet-cli commission --jobs --block, or stream the motion alone.",
+                  block->place.line.value,
+                  block->file.empty() ? std::string() : " of " + block->file, block->text,
+                  job::nativeReasonName(block->reason)));
 }
 
 }  // namespace rivulet::streaming

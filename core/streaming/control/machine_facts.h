@@ -16,6 +16,7 @@
 #include "streaming/setup/calibration_record.h"
 #include "streaming/setup/commissioning.h"
 #include "streaming/setup/feed_test.h"
+#include "streaming/setup/job_test.h"
 
 namespace rivulet::streaming {
 
@@ -31,6 +32,7 @@ struct TestOfControl {
 
 using CreditTest = TestOfControl<Commissioning>;
 using FeedTest = TestOfControl<FeedCommissioning>;
+using JobTest = TestOfControl<JobCommissioning>;
 
 /// Failures of the file that keeps the facts.
 enum class MachineFileError {
@@ -73,6 +75,33 @@ enum class FeedProof {
 
 /// "This control has not been tested.": why a stop is not promised by the feed cell; Proved: empty.
 [[nodiscard]] std::string_view describe(FeedProof proof);
+
+/// Which whole jobs may run on a machine. All on virtual machines, whose wrong motion does no harm,
+/// and on LinuxCNC, against which they are tested; elsewhere those whose blocks its test has tried.
+class JobRelease {
+ public:
+  /// All of them: no machine is known yet.
+  JobRelease() = default;
+  /// @param test  the last one made there  @param now  what the server reports about itself
+  JobRelease(const std::optional<JobTest>& test, std::string endpoint,
+             const opcua::ServerIdentity& now, bool isVirtualMachine);
+
+  /// Whether any may.
+  [[nodiscard]] bool runsJobs() const { return m_whyNone.empty(); }
+  /// Why none may, one sentence; empty: some may.
+  [[nodiscard]] const std::string& whyNone() const { return m_whyNone; }
+  /// The first block that the test has not tried; null: there is none. @pre runsJobs()
+  [[nodiscard]] const job::NativeBlock* firstUntried(const job::Plan& plan) const;
+  /// @return NotCommissioned: none may, or the first block that the test has not tried, with its
+  /// line
+  [[nodiscard]] base::Result<void> require(const job::Plan& plan) const;
+
+ private:
+  bool m_isUnlimited = true;
+  std::string m_whyNone;
+  std::string m_endpoint;
+  JobCommissioning m_tested;
+};
 
 }  // namespace rivulet::streaming
 
