@@ -51,11 +51,26 @@ void ControlTests::start(session::CommissionCommand command) {
   const session::TestKind kind = command.kind;
   m_session.commission(std::move(command));
   // Nobody reads the state of the control meanwhile, and its program may move an axis.
-  m_machine.showRunning(QString::fromStdString(kind == session::TestKind::FeedCell
-                                                   ? streaming::feedTestFileName()
-                                                   : streaming::commissioningFileName()));
+  m_machine.showRunning(QString::fromStdString(
+      kind == session::TestKind::FeedCell ? streaming::feedTestFileName()
+      : kind == session::TestKind::Credit ? streaming::commissioningFileName()
+                                          : streaming::jobTestName()));
   Q_EMIT progressed(kind, streaming::CommissioningStep::CycleStart);
   Q_EMIT m_runs.permissionsChanged();
+}
+
+void ControlTests::confirmBlock(std::size_t index) {
+  if (!m_jobs || index >= m_jobs->result.tried.size()) {
+    return;
+  }
+  streaming::TriedBlock& block = m_jobs->result.tried[index];
+  block.witness = streaming::Witness::Operator;
+  block.message = "The operator has seen it.";
+  if (const base::Result<void> saved = m_store.save(*m_jobs); !saved) {
+    Q_EMIT failed(session::TestKind::Jobs, saved.error());
+  }
+  tellProof();
+  Q_EMIT testChanged();
 }
 
 void ControlTests::cancel() {

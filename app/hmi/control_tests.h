@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The tests that a control must pass: before method credit may run on it, and before a stop is
-/// promised by the feed cell. The results are kept for the machine, as the command line does it.
+/// The tests that a control must pass: before method credit or whole jobs may run on it, and before
+/// a stop is promised by the feed cell. The results are kept for the machine, as the command line does it.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -29,6 +29,8 @@ class ControlTests final : public QObject {
   /// Nothing stands in the way: begins. Else nothing happens; `blocked` says why.
   void start(session::CommissionCommand command);
   void cancel();
+  /// The operator has seen the control execute this block of the test of whole jobs.
+  void confirmBlock(std::size_t index);
   /// The rules are those of a calibration: connected, in reset, nothing else in progress.
   [[nodiscard]] std::optional<streaming::Blocked> blocked() const {
     return m_runs.calibrationBlocked();

@@ -18,7 +18,6 @@ using Source = Messages::Source;
 namespace {
 
 /// Values of a control that executes the flexible program.
-constexpr int kChannelActive = 1;
 constexpr int kProgramRunning = 3;
 /// How often what is shown is asked for its age.
 constexpr int kAgeIntervalMs = 250;
@@ -365,7 +364,7 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
 }
 
 void MachineModel::showRunning(const QString& programName) {
-  m_view.channelStatus = kChannelActive;
+  m_view.channelStatus = opcua::kChannelActive;
   m_mayMove = true;
   m_view.programStatus = kProgramRunning;
   m_view.programName = programName;

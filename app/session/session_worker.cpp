@@ -936,7 +936,17 @@ void SessionWorker::commission(const CommissionCommand& command) {
     static_cast<streaming::CommissioningPlan&>(jobs) = plan;
     jobs.move = command.move.value_or(streaming::AirMove());
     jobs.blocks = command.blocks;
-    keep(streaming::testJobs(link, *m_connection.control, jobs, {progress, {}}), finished.jobs);
+    MachineSeen shown = readControl().value_or(MachineSeen());
+    const auto watch = [&](const streaming::LiveUpdate& update) {
+      if (update.sample && update.sample->positionMm) {
+        shown.channelStatus = opcua::kChannelActive;
+        shown.positionMm = update.sample->positionMm;
+        shown.feedMmPerS = update.sample->feedMmPerS;
+        tellIfRoom(shown);
+      }
+    };
+    keep(streaming::testJobs(link, *m_connection.control, jobs, {progress, {}, watch}),
+         finished.jobs);
   } else if (command.kind == TestKind::FeedCell) {
     keep(streaming::testFeedCell(link, *m_connection.control, plan, progress), finished.feed);
   } else {

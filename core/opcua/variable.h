@@ -61,6 +61,8 @@ inline constexpr int kCoolantOff = 9;
 
 /// `ChannelStatus` while no program is active.
 inline constexpr int kChannelReset = 0;
+/// `ChannelStatus` while a program is executed.
+inline constexpr int kChannelActive = 1;
 /// `ChannelStatus` while the program waits for cycle start, as at M0.
 inline constexpr int kChannelInterrupted = 2;
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "machine/machine.h"
+#include "opcua/await.h"
 #include "streaming/run/run.h"
 #include "streaming/setup/job_test.h"
 #include "streaming/simulation/simulated_link.h"
@@ -15,6 +16,7 @@
 #include "support/test_program.h"
 
 using namespace rivulet;
+using namespace std::chrono_literals;
 using streaming::JobCommissioning;
 using streaming::JobTestPlan;
 using streaming::JobTestTalk;
@@ -240,13 +242,18 @@ class TestJobTest : public QObject {
     QVERIFY(!result && result.error().code == StreamError::ControlAlarm);
   }
 
+  /// The axes stand where they are.
   void aTestCanBeAborted() {
     World world;
     int calls = 0;
     world.talk.progress = [&calls](streaming::CommissioningStep) { return ++calls < 400; };
     const auto result = world.test();
     QVERIFY(!result && result.error().code == StreamError::Cancelled);
-    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
+    const base::Vec3 there = world.machine.state().commandMm;
+    QVERIFY(!world.machine.trace().blocks.empty());
+    QVERIFY(there[0] > 0.5 && there[0] < 19.5);
+    (void)opcua::sleepUntil(world.link, world.link.now() + 10s);
+    QCOMPARE(world.machine.state().commandMm[0], there[0]);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFontDatabase>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -46,6 +47,9 @@ CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QW
                         "with Z as the axis."),
                     .name = QT_TR_NOOP("Lift of the tool, mm")})),
       m_program(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Test program")})),
+      m_blocks(say(new QPlainTextEdit(this),
+                   {.tip = QT_TR_NOOP("One block a line, as a program has it: S500 M3, M8, T1 M6"),
+                    .name = QT_TR_NOOP("Blocks to be tried")})),
       m_blockedLabel(new StatusLabel(this, StatusLabel::Elided{2})),
       m_checks(new QVBoxLayout) {
   m_verdict->setEmphasis(14.0, true);
@@ -55,8 +59,14 @@ CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QW
   auto* cells = inRow({label({.text = QT_TR_NOOP("First R-parameter"), .isMuted = true}),
                        m_cell,
                        {m_confirmed, 1}});
+  m_blocks->setFont(m_program->font());
+  m_blocks->setMaximumHeight(90);
+  m_blocks->setTabChangesFocus(true);
+  m_blocks->setVisible(m_texts->isOfJobs());
+  m_program->setVisible(!m_texts->isOfJobs());
+  m_byHand->setVisible(!m_texts->isOfJobs());
   auto* layout =
-      inColumn({m_verdict, m_machine, m_what, cells, m_byHand, m_moves, moveRow()}, this);
+      inColumn({m_verdict, m_machine, m_what, cells, m_byHand, m_moves, moveRow(), m_blocks}, this);
   for (StatusLabel*& step : m_steps) {
     step = new StatusLabel(this);
     step->setWordWrap(true);
@@ -71,16 +81,17 @@ CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QW
   connect(m_byHand, &QCheckBox::toggled, this, &CommissioningPage::showSteps);
   connect(m_start, &QPushButton::clicked, this, [this] {
     const auto move = typedMove();
+    const auto blocks = typedBlocks();
     m_problem.clear();
     m_confirmed->setChecked(false);
     m_word->clear();
-    Q_EMIT testRequested(m_cell->value(), m_byHand->isChecked(), move);
+    Q_EMIT testRequested(m_cell->value(), m_byHand->isChecked(), move, blocks);
   });
   retranslate();
 }
 
 QWidget* CommissioningPage::moveRow() {
-  m_moves->setVisible(m_texts->mayMove());
+  m_moves->setVisible(m_texts->mayMove() && !m_texts->isOfJobs());
   for (const char axis : base::kAxisNames) {
     m_axis->addItem(QString(QLatin1Char(axis)));
   }
@@ -92,16 +103,21 @@ QWidget* CommissioningPage::moveRow() {
   m_feed->setValue(kMove.feedMmPerMin);
   m_liftMm->setRange(0.0, templates::kLiftMmMax);
   m_liftMm->setDecimals(1);
+  auto* lift = label({.text = QT_TR_NOOP("lift, mm"), .isMuted = true});
   auto* row = new QWidget(this);
   row->setLayout(inRow({m_axis,
                         label({.text = QT_TR_NOOP("by, mm"), .isMuted = true}),
                         m_lengthMm,
                         label({.text = QT_TR_NOOP("F, mm/min"), .isMuted = true}),
                         m_feed,
-                        label({.text = QT_TR_NOOP("lift, mm"), .isMuted = true}),
+                        lift,
                         m_liftMm,
                         {m_word, 1}}));
-  row->setVisible(false);
+  lift->setVisible(!m_texts->isOfJobs());
+  m_liftMm->setVisible(!m_texts->isOfJobs());
+  m_moves->setChecked(m_texts->isOfJobs());
+  row->setVisible(m_texts->isOfJobs());
+  connect(m_blocks, &QPlainTextEdit::textChanged, this, &CommissioningPage::forgetConfirmations);
   connect(m_moves, &QCheckBox::toggled, row, &QWidget::setVisible);
   connect(m_moves, &QCheckBox::toggled, this, &CommissioningPage::forgetConfirmations);
   connect(m_axis, &QComboBox::currentIndexChanged, this, &CommissioningPage::forgetConfirmations);
@@ -125,12 +141,27 @@ std::optional<streaming::AirMove> CommissioningPage::typedMove() const {
              : std::nullopt;
 }
 
+std::vector<std::string> CommissioningPage::typedBlocks() const {
+  std::vector<std::string> blocks;
+  for (const QString& line : m_blocks->toPlainText().split(QLatin1Char('\n'))) {
+    if (m_texts->isOfJobs() && !line.trimmed().isEmpty()) {
+      blocks.push_back(line.trimmed().toStdString());
+    }
+  }
+  return blocks;
+}
+
 QString CommissioningPage::moveProblem() const {
   const auto move = typedMove();
   if (!move) {
     return {};
   }
-  if (const auto fits = streaming::requireAirMove(*move); !fits) {
+  streaming::JobTestPlan plan;
+  plan.move = *move;
+  plan.blocks = typedBlocks();
+  if (const auto fits = m_texts->isOfJobs() ? streaming::requireJobTestPlan(plan)
+                                            : streaming::requireAirMove(*move);
+      !fits) {
     return errorText(fits.error());
   }
   return m_word->text().trimmed() == QLatin1String(kMoveWord)
@@ -179,6 +210,8 @@ void CommissioningPage::showSteps() {
       tr("1. Bring the channel to reset, in AUTO."),
       m_byHand->isChecked()
           ? tr("2. Store the text below as part program %1 and select it.").arg(name)
+      : m_texts->isOfJobs()
+          ? tr("2. The programs of the job are transferred, read back and selected.")
           : tr("2. The program %1 is transferred, read back and selected.").arg(name),
       tr("3. Press cycle start at the control (a virtual machine starts by itself)."),
       m_texts->lastStep(typedMove())};
@@ -194,6 +227,7 @@ void CommissioningPage::showSteps() {
   m_byHand->setEnabled(!m_step);
   m_cell->setEnabled(!m_step);
   m_moves->setEnabled(!m_step);
+  m_blocks->setReadOnly(m_step.has_value());
 }
 
 void CommissioningPage::showResult() {
@@ -236,6 +270,34 @@ void CommissioningPage::showResult() {
     label->setStatus(check.passed ? Status::Good : Status::Fault, m_texts->check(check));
     m_checks->addWidget(label);
     label->show();
+  }
+  showTried();
+}
+
+void CommissioningPage::showTried() {
+  for (std::size_t i = 0; i < m_test->tried.size(); ++i) {
+    const streaming::TriedBlock& block = m_test->tried[i];
+    const bool isOpen = block.witness == streaming::Witness::Nobody;
+    auto* row = new QWidget(this);
+    auto* label = new StatusLabel(row);
+    label->setWordWrap(true);
+    label->setStatus(
+        isOpen ? Status::Attention : Status::Good,
+        QStringLiteral("%1: %2").arg(QString::fromStdString(block.text),
+                                     isOpen ? tr("the control shows nothing of it; not released")
+                                     : block.witness == streaming::Witness::Operator
+                                         ? tr("seen by the operator")
+                                         : QString::fromStdString(block.message)));
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins({});
+    line->addWidget(label, 1);
+    if (isOpen && m_test->isEnough) {
+      auto* seen = new QPushButton(tr("I have seen it"), row);
+      connect(seen, &QPushButton::clicked, this, [this, i] { Q_EMIT blockConfirmed(i); });
+      line->addWidget(seen);
+    }
+    m_checks->addWidget(row);
+    row->show();
   }
 }
 

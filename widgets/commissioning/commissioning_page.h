@@ -6,7 +6,10 @@
 /// An axis moves only if the operator types so. @threadsafety GUI thread.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "widgets/commissioning/control_test_texts.h"
 #include "widgets/common/page.h"
@@ -45,9 +48,12 @@ class CommissioningPage final : public Page {
   void setBlocked(const QString& why);
 
  Q_SIGNALS:
-  /// @param move  that the operator agrees to; nothing: no axis moves
+  /// @param move  that the operator agrees to; nothing: no axis moves  @param blocks  to be tried
   void testRequested(int firstCell, bool isByHand,
-                     const std::optional<rivulet::streaming::AirMove>& move);
+                     const std::optional<rivulet::streaming::AirMove>& move,
+                     const std::vector<std::string>& blocks);
+  /// The operator has seen this block of the shown test being executed.
+  void blockConfirmed(std::size_t index);
   void cancelRequested();
 
  protected:
@@ -60,6 +66,8 @@ class CommissioningPage final : public Page {
   [[nodiscard]] QWidget* moveRow();
   /// As it is typed, whether it may be made or not; nothing: no axis is to move.
   [[nodiscard]] std::optional<streaming::AirMove> typedMove() const;
+  [[nodiscard]] std::vector<std::string> typedBlocks() const;
+  void showTried();
   /// Why the test cannot be made with it; empty: it can.
   [[nodiscard]] QString moveProblem() const;
   void forgetConfirmations();
@@ -78,6 +86,7 @@ class CommissioningPage final : public Page {
   QLineEdit* m_word = lineEdit({.name = QT_TR_NOOP("Confirm that the axis may move")});
   std::array<StatusLabel*, 4> m_steps{};
   QPlainTextEdit* m_program;
+  QPlainTextEdit* m_blocks;
   QPushButton* m_start = button({.text = QT_TR_NOOP("Start the test"), .icon = "play"});
   QPushButton* m_cancel =
       button({.text = QT_TR_NOOP("Cancel")}, &CommissioningPage::cancelRequested);

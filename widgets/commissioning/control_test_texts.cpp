@@ -75,6 +75,30 @@ class CreditTestTexts final : public ControlTestTexts {
   }
 };
 
+struct MoveTexts {
+  Q_DECLARE_TR_FUNCTIONS(MoveTexts)
+};
+
+QString moveText(const AirMove& move) {
+  return MoveTexts::tr("%1 moved by %2 at %3")
+      .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(move.axis)]))
+      .arg(lengthText(move.mm, 1), feedText(base::mmPerSFromMmPerMin(move.feedMmPerMin)));
+}
+
+/// The sentence of a check, by its name; a check that fails adds what the test saw.
+template <class Texts, std::size_t size>
+QString checkText(const std::array<std::pair<const char*, const char*>, size>& said,
+                  const CommissioningCheck& check) {
+  for (const auto& [name, sentence] : said) {
+    if (check.name == name) {
+      return check.passed
+                 ? Texts::tr(sentence)
+                 : Texts::tr(sentence) + QLatin1Char(' ') + QString::fromStdString(check.message);
+    }
+  }
+  return QString::fromStdString(check.message);
+}
+
 class FeedTestTexts final : public ControlTestTexts {
   Q_DECLARE_TR_FUNCTIONS(FeedTestTexts)
 
@@ -87,12 +111,8 @@ class FeedTestTexts final : public ControlTestTexts {
         result.provedLiftMm() > 0.0
             ? tr("; the tool may be lifted by %1").arg(lengthText(result.provedLiftMm(), 1))
             : QString();
-    return tr("%1 moved by %2 at %3; held, it was seen to stand after %4")
-               .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(result.move->axis)]))
-               .arg(lengthText(result.move->mm, 1),
-                    feedText(base::mmPerSFromMmPerMin(result.move->feedMmPerMin)),
-                    millisecondsText(result.braking)) +
-           lift;
+    return moveText(*result.move) +
+           tr("; held, it was seen to stand after %1").arg(millisecondsText(result.braking)) + lift;
   }
 
  private:
@@ -156,13 +176,72 @@ class FeedTestTexts final : public ControlTestTexts {
         {"waits-for-tool", QT_TR_NOOP("Let go, the axis moves only when the tool is back.")},
         {"only-this-client", QT_TR_NOOP("No other client writes the override of this test.")},
     }};
-    for (const auto& [name, said] : kSaid) {
-      if (check.name == name) {
-        return check.passed ? tr(said)
-                            : tr(said) + QLatin1Char(' ') + QString::fromStdString(check.message);
-      }
-    }
-    return QString::fromStdString(check.message);
+    return checkText<FeedTestTexts>(kSaid, check);
+  }
+};
+
+class JobTestTexts final : public ControlTestTexts {
+  Q_DECLARE_TR_FUNCTIONS(JobTestTexts)
+
+ public:
+  static QString figures(const streaming::JobCommissioning& result) {
+    return moveText(result.move);
+  }
+
+ private:
+  [[nodiscard]] int cells() const override { return streaming::kJobTestCells; }
+  [[nodiscard]] bool mayMove() const override { return true; }
+  [[nodiscard]] bool isOfJobs() const override { return true; }
+  [[nodiscard]] QString what() const override {
+    return tr(
+        "In a whole job the control executes blocks of its own between stretches that Rivulet "
+        "streams. This test finds out whether it does that once, in order and only when it may, "
+        "and whether stop, pause and a lost connection act in both: one axis moves back and forth "
+        "in the air. Enter the blocks that your jobs have, one a line, each so that nothing is in "
+        "its way; other kinds are not released. The channel must be in reset.");
+  }
+  [[nodiscard]] QString program(int /*firstCell*/,
+                                const std::optional<AirMove>& /*move*/) const override {
+    return {};
+  }
+  [[nodiscard]] QString fileName() const override {
+    return QString::fromStdString(streaming::jobTestName());
+  }
+  [[nodiscard]] QString lastStep(const std::optional<AirMove>& /*move*/) const override {
+    return tr("4. The job is stopped and left alone, in a block and in a stretch, then it goes "
+              "through: "
+              "press cycle start each time, %1 times in all.")
+        .arg(streaming::kJobTestStarts);
+  }
+  [[nodiscard]] QString notTested() const override {
+    return tr("Not tested: only the motion of a program runs on this control");
+  }
+  [[nodiscard]] QString enough() const override {
+    return tr("Passed: whole jobs may run on this control, with the blocks that were tried");
+  }
+  [[nodiscard]] QString failed() const override {
+    return tr("Not passed: only the motion of a program runs on this control");
+  }
+  [[nodiscard]] QString check(const CommissioningCheck& check) const override {
+    static const std::array<std::pair<const char*, const char*>, 11> kSaid{{
+        {"waits-for-client", QT_TR_NOOP("No block is executed before Rivulet permits it.")},
+        {"waits-after-stretch",
+         QT_TR_NOOP("After a stretch no block is executed before Rivulet permits it.")},
+        {"stopped-in-block", QT_TR_NOOP("A stop in a block ends the job after that block.")},
+        {"stopped-in-stretch", QT_TR_NOOP("A stop in a stretch ends the job there.")},
+        {"silence-in-block",
+         QT_TR_NOOP("In a block the axis stands when the connection is lost, and the job can be "
+                    "ended.")},
+        {"silence-in-stretch",
+         QT_TR_NOOP("In a stretch the axis stands when the connection is lost, and the job can be "
+                    "ended.")},
+        {"held-in-block", QT_TR_NOOP("In a block the axis stands while it is held.")},
+        {"held-in-stretch", QT_TR_NOOP("In a stretch the axis stands while it is held.")},
+        {"hand-over", QT_TR_NOOP("Blocks and stretches are executed in turns, once each.")},
+        {"executes-blocks", QT_TR_NOOP("No block is passed over.")},
+        {"ends-with-job", QT_TR_NOOP("The override of the job ends with it.")},
+    }};
+    return checkText<JobTestTexts>(kSaid, check);
   }
 };
 
@@ -173,7 +252,8 @@ ShownTest shownOf(const Test& test, bool isEnough) {
           test.testedAtUtc,
           test.result,
           [result = test.result] { return Texts::figures(result); },
-          isEnough};
+          isEnough,
+          {}};
 }
 
 }  // namespace
@@ -184,6 +264,16 @@ std::unique_ptr<ControlTestTexts> creditTestTexts() {
 
 std::unique_ptr<ControlTestTexts> feedTestTexts() {
   return std::make_unique<FeedTestTexts>();
+}
+
+std::unique_ptr<ControlTestTexts> jobTestTexts() {
+  return std::make_unique<JobTestTexts>();
+}
+
+ShownTest shownTest(const streaming::JobTest& test) {
+  ShownTest shown = shownOf<JobTestTexts>(test, test.result.passed());
+  shown.tried = test.result.tried;
+  return shown;
 }
 
 ShownTest shownTest(const streaming::CreditTest& test) {

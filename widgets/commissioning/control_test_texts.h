@@ -24,6 +24,7 @@ struct ShownTest {
   streaming::ChecksOfControl result;
   std::function<QString()> figures;  ///< of this kind of test, in the language of the moment
   bool isEnough = false;             ///< what it is for is allowed by it
+  std::vector<streaming::TriedBlock> tried{};
 };
 
 class ControlTestTexts {
@@ -34,6 +35,9 @@ class ControlTestTexts {
   [[nodiscard]] virtual int cells() const = 0;
   /// An axis may move in it.
   [[nodiscard]] virtual bool mayMove() const { return false; }
+  /// It is a whole job: an axis moves, blocks of the control are tried, and Rivulet brings its
+  /// programs to the control.
+  [[nodiscard]] virtual bool isOfJobs() const { return false; }
   [[nodiscard]] virtual QString what() const = 0;
   [[nodiscard]] virtual QString program(int firstCell,
                                         const std::optional<streaming::AirMove>& move) const = 0;
@@ -51,8 +55,10 @@ class ControlTestTexts {
 
 [[nodiscard]] std::unique_ptr<ControlTestTexts> creditTestTexts();
 [[nodiscard]] std::unique_ptr<ControlTestTexts> feedTestTexts();
+[[nodiscard]] std::unique_ptr<ControlTestTexts> jobTestTexts();
 
 [[nodiscard]] ShownTest shownTest(const streaming::CreditTest& test);
 [[nodiscard]] ShownTest shownTest(const streaming::FeedTest& test);
+[[nodiscard]] ShownTest shownTest(const streaming::JobTest& test);
 
 }  // namespace rivulet::widgets

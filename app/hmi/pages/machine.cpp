@@ -169,27 +169,41 @@ QWidget* makeCalibrationPage(MachineModel* machine, RunController* runs, QWidget
 QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine, ControlTests* tests,
                                session::TestKind kind, QWidget* parent) {
   using session::TestKind;
-  const bool isOfFeed = kind == TestKind::FeedCell;
-  auto* page = new widgets::CommissioningPage(
-      isOfFeed ? widgets::feedTestTexts() : widgets::creditTestTexts(), parent);
+  auto* page = new widgets::CommissioningPage(kind == TestKind::FeedCell ? widgets::feedTestTexts()
+                                              : kind == TestKind::Jobs   ? widgets::jobTestTexts()
+                                                                       : widgets::creditTestTexts(),
+                                              parent);
   QObject::connect(
       page, &widgets::CommissioningPage::testRequested, tests,
-      [=](int firstCell, bool isByHand, const std::optional<streaming::AirMove>& move) {
+      [=](int firstCell, bool isByHand, const std::optional<streaming::AirMove>& move,
+          const std::vector<std::string>& blocks) {
         if (tests->blocked()) {
           return;
         }
         tests->start({kind, firstCell,
                       isByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link,
-                      move});
+                      move, blocks});
         std::vector<std::pair<std::string, std::string>> facts{
             {"machine", machine->endpoint().toStdString()},
-            {"test", isOfFeed ? "feed-cell" : "credit"},
+            {"test", kind == TestKind::FeedCell ? "feed-cell"
+                     : kind == TestKind::Jobs   ? "jobs"
+                                                : "credit"},
             {"first_cell", std::to_string(firstCell)}};
         if (move) {
           facts.emplace_back("air_move", streaming::describe(*move));
         }
+        for (const std::string& block : blocks) {
+          facts.emplace_back("block", block);
+        }
         messages->didAct(permission::Act::Calibrate, facts);
       });
+  QObject::connect(page, &widgets::CommissioningPage::blockConfirmed, tests,
+                   [=](std::size_t index) {
+                     messages->didAct(permission::Act::Calibrate,
+                                      {{"machine", machine->endpoint().toStdString()},
+                                       {"block_seen", std::to_string(index + 1)}});
+                     tests->confirmBlock(index);
+                   });
   QObject::connect(page, &widgets::CommissioningPage::cancelRequested, tests,
                    &ControlTests::cancel);
   QObject::connect(tests, &ControlTests::progressed, page,
@@ -201,7 +215,9 @@ QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine, Contro
       page->setTest(test ? std::optional(widgets::shownTest(*test)) : std::nullopt,
                     tests->isOutdated(test));
     };
-    isOfFeed ? show(tests->feedTest()) : show(tests->test());
+    kind == TestKind::FeedCell ? show(tests->feedTest())
+    : kind == TestKind::Jobs   ? show(tests->jobTest())
+                               : show(tests->test());
   });
   QObject::connect(tests, &ControlTests::failed, page, [=](TestKind of, const base::Error& error) {
     if (of == kind) {

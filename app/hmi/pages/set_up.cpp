@@ -83,7 +83,8 @@ void showStatus(SetUpPage* page, MachineModel* machine, ControlTests* tests,
   };
   const auto& feed = tests->feedTest();
   page->setStatus(steps[4], tested(feed, feed && feed->result.proves()));
-  page->setStatus(steps[5], tested(tests->test(), true));
+  page->setStatus(steps[5], tested(tests->jobTest(), true));
+  page->setStatus(steps[6], tested(tests->test(), true));
 }
 
 }  // namespace
@@ -98,6 +99,7 @@ QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine, 
       makeTemplatePage(messages, document, nullptr),
       makeCalibrationPage(machine, runs, nullptr),
       makeCommissioningPage(messages, machine, tests, session::TestKind::FeedCell, nullptr),
+      makeCommissioningPage(messages, machine, tests, session::TestKind::Jobs, nullptr),
       makeCommissioningPage(messages, machine, tests, session::TestKind::Credit, nullptr),
       makeCertificatesPage(users, machine, runs, certificates, nullptr),
       makeRightsPage(machine, runs, nullptr)};
@@ -106,9 +108,10 @@ QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine, 
   page->addStep(steps[2], [] { return SetUpTexts::tr("Template"); });
   page->addStep(steps[3], [] { return SetUpTexts::tr("Calibration"); });
   page->addStep(steps[4], [] { return SetUpTexts::tr("Stop test"); });
-  page->addStep(steps[5], [] { return SetUpTexts::tr("Credit test"); });
-  page->addStep(steps[6], [] { return SetUpTexts::tr("Certificates"); });
-  page->addStep(steps[7], [] { return SetUpTexts::tr("Rights"); });
+  page->addStep(steps[5], [] { return SetUpTexts::tr("Job test"); });
+  page->addStep(steps[6], [] { return SetUpTexts::tr("Credit test"); });
+  page->addStep(steps[7], [] { return SetUpTexts::tr("Certificates"); });
+  page->addStep(steps[8], [] { return SetUpTexts::tr("Rights"); });
   const auto show = [page, steps, machine, tests, profiles] {
     showStatus(page, machine, tests, profiles, steps);
   };

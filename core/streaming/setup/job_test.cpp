@@ -396,6 +396,10 @@ bool isOfTest(NativeReason reason) {
 
 }  // namespace
 
+std::string jobTestName() {
+  return std::string(kJobTestSource);
+}
+
 std::string_view witnessName(Witness witness) {
   switch (witness) {
     case Witness::Nobody:

@@ -39,6 +39,9 @@ struct JobTestPlan : CommissioningPlan {
   std::vector<std::string> blocks;
 };
 
+/// What the program of the test is called for the user.
+[[nodiscard]] std::string jobTestName();
+
 /// How it is known that a block was executed.
 enum class Witness {
   Nobody,    ///< the control shows nothing of it, and nobody has said so
@@ -76,6 +79,8 @@ struct JobTestTalk {
   /// Whether he has seen the control execute this block; nothing: nobody is there. Asked when the
   /// job has ended.
   std::function<std::optional<bool>(const std::string& block)> hasSeen;
+  /// Told where the axes are while the job runs, as a run tells it. Empty: nobody is.
+  std::function<void(const LiveUpdate& update)> watch;
 };
 
 /// Whether the test can be made: the move, and that each block is one that the control of a job

@@ -135,7 +135,7 @@ Result<JobTestJob> makeJobTestJob(const JobTestPlan& plan, base::Vec3 startMm) {
   const Written written = programOf(plan, startMm);
   gcode::LoadOptions options;
   options.dialect = gcode::Dialect::Sinumerik;
-  auto made = job::makePlan("RIVULET_JOB_TEST.MPF", written.text, options);
+  auto made = job::makePlan(std::string(kJobTestSource), written.text, options);
   if (!made) {
     return base::fail(made.error());
   }

@@ -19,6 +19,8 @@
 
 namespace rivulet::streaming {
 
+inline constexpr std::string_view kJobTestSource = "RIVULET_JOB_TEST.MPF";
+
 /// Between two stretches, before the first and after the last: native blocks. Gaps count from 1.
 inline constexpr int kGapBefore = 1;      ///< one move, from where the axis stands at the start
 inline constexpr int kGapOfTwoMoves = 2;  ///< forth, and half of the way back

@@ -154,6 +154,9 @@ bool JobTestRound::stopRequested(Instant now) {
 }
 
 void JobTestRound::update(const LiveUpdate& update) {
+  if (m_talk.watch) {
+    m_talk.watch(update);
+  }
   if (!update.sample || !update.sample->positionMm || m_isArmed) {
     return;
   }

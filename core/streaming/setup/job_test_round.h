@@ -67,6 +67,9 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   // RunOrders
   bool stopRequested(base::Instant now) override;
   bool holdRequested(base::Instant /*now*/) override { return m_hold.has_value(); }
+  /// Whoever aborts the test wants the axes to stand where they are.
+  bool letsEnd(base::Instant /*now*/) override { return !m_isCancelled; }
+  bool leaves(base::Instant /*now*/) override { return m_isCancelled; }
 
  private:
   struct Hold {

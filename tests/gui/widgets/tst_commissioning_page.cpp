@@ -112,6 +112,79 @@ class TestCommissioningPage : public QObject {
     QVERIFY(!start(page)->isEnabled() && word->text().isEmpty());
   }
 
+  /// An axis always moves; blocks are asked for, and others need the word again.
+  void theTestOfJobsTriesBlocks() {
+    CommissioningPage page(jobTestTexts());
+    page.show();
+    QSignalSpy wanted(&page, &CommissioningPage::testRequested);
+    auto* confirmed = page.findChildren<QCheckBox*>().first();
+    QVERIFY(confirmed->text().contains("R0 to R35"));
+    QPlainTextEdit* blocks = nullptr;
+    for (QPlainTextEdit* text : page.findChildren<QPlainTextEdit*>()) {
+      blocks = text->isVisible() ? text : blocks;
+    }
+    QVERIFY(blocks != nullptr && !blocks->isReadOnly());
+    QLineEdit* word = nullptr;
+    for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
+      word = line->placeholderText().contains("MOVE") ? line : word;
+    }
+    const auto confirm = [&] {
+      confirmed->setChecked(true);
+      word->setText("MOVE");
+    };
+    confirm();
+    QVERIFY(start(page)->isEnabled());
+    blocks->setPlainText("S500 M3\n\n M5 \n");
+    QVERIFY(!start(page)->isEnabled() && word->text().isEmpty());
+    confirm();
+    QVERIFY(start(page)->isEnabled());
+    blocks->setPlainText("G1 X5");
+    confirm();
+    QVERIFY(!start(page)->isEnabled());
+    QVERIFY(test::visibleText(page).contains("cannot be tried"));
+    blocks->setPlainText("S500 M3\nM27");
+    confirm();
+    QTest::mouseClick(start(page), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QVERIFY(wanted[0][2].value<std::optional<streaming::AirMove>>() ==
+            (streaming::AirMove{0, 20.0, 400.0}));
+    QVERIFY(wanted[0][3].value<std::vector<std::string>>() ==
+            (std::vector<std::string>{"S500 M3", "M27"}));
+  }
+
+  /// What the control does not show, the operator may have seen; not after a test that failed.
+  void theOperatorConfirmsABlock() {
+    CommissioningPage page(jobTestTexts());
+    page.show();
+    QSignalSpy confirmed(&page, &CommissioningPage::blockConfirmed);
+    streaming::JobTest test;
+    test.result.checks = {{"hand-over", true, ""}};
+    test.result.tried = {
+        {"S500 M3", {job::NativeReason::Spindle}, streaming::Witness::Control, "spindle 0 → 500."},
+        {"M27", {job::NativeReason::Other}, streaming::Witness::Nobody, ""}};
+    const auto seen = [&page]() -> QPushButton* {
+      for (QPushButton* button : page.findChildren<QPushButton*>()) {
+        if (button->text() == QStringLiteral("I have seen it") && button->isVisible()) {
+          return button;
+        }
+      }
+      return nullptr;
+    };
+    page.setTest(shownTest(test), false);
+    QVERIFY(test::visibleText(page).contains("spindle 0 → 500."));
+    QVERIFY(seen() != nullptr);
+    QTest::mouseClick(seen(), Qt::LeftButton);
+    QCOMPARE(confirmed.count(), 1);
+    QCOMPARE(confirmed[0][0].value<std::size_t>(), std::size_t{1});
+    test.result.tried[1].witness = streaming::Witness::Operator;
+    page.setTest(shownTest(test), false);
+    QVERIFY(seen() == nullptr);
+    test.result.tried[1].witness = streaming::Witness::Nobody;
+    test.result.checks[0].passed = false;
+    page.setTest(shownTest(test), false);
+    QVERIFY(seen() == nullptr);
+  }
+
   /// Without motion it has passed what was tested, which is not all.
   void passingWithoutMotionIsNotEnough() {
     CommissioningPage page(feedTestTexts());
