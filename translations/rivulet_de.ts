@@ -1606,6 +1606,10 @@
         <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
         <translation>Die Bahn lässt sich innerhalb dieser Toleranz nicht einhalten. Erlauben Sie mehr oder gar keine; gepackte Punkte werden um bis zu 0,001 mm verschoben.</translation>
     </message>
+    <message>
+        <source>This block cannot be tried: the control of a job would not execute it itself, or it ends the program. Name blocks as a program has them, as in &quot;S500 M3&quot;.</source>
+        <translation>Dieser Satz lässt sich nicht erproben: Die Steuerung würde ihn in einem Auftrag nicht selbst ausführen, oder er beendet das Programm. Sätze so eingeben, wie sie im Programm stehen, etwa „S500 M3“.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2005,10 +2009,6 @@
         <translation>keine Achse wurde bewegt</translation>
     </message>
     <message>
-        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
-        <translation>%1 um %2 mit %3 bewegt; angehalten stand sie nach %4</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. Der Override wird geändert, während die Achse fährt. Danach noch einmal NC-Start drücken: Das nächste Programm muss mit seinem eigenen Vorschub fahren, und nur die Steuerung kann es anhalten.</translation>
     </message>
@@ -2103,6 +2103,10 @@
     <message>
         <source>No other client writes the override of this test.</source>
         <translation>Kein anderer Client schreibt den Override dieses Tests.</translation>
+    </message>
+    <message>
+        <source>; held, it was seen to stand after %1</source>
+        <translation>; angehalten stand sie nach %1 still</translation>
     </message>
 </context>
 <context>
@@ -2238,6 +2242,73 @@
     <message>
         <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
         <translation>Werkzeug %1 steht nicht in der Werkzeugtabelle der Maschine, aber %2. Dort %1 eintragen oder im Programm %2 schreiben.</translation>
+    </message>
+</context>
+<context>
+    <name>JobTestTexts</name>
+    <message>
+        <source>In a whole job the control executes blocks of its own between stretches that Rivulet streams. This test finds out whether it does that once, in order and only when it may, and whether stop, pause and a lost connection act in both: one axis moves back and forth in the air. Enter the blocks that your jobs have, one a line, each so that nothing is in its way; other kinds are not released. The channel must be in reset.</source>
+        <translation>In einem ganzen Auftrag führt die Steuerung zwischen den gestreamten Abschnitten eigene Sätze aus. Dieser Test stellt fest, ob sie das einmal, in der richtigen Reihenfolge und nur mit Erlaubnis tut, und ob Stopp, Pause und eine verlorene Verbindung in beiden wirken: Eine Achse fährt in der Luft hin und her. Die Sätze eingeben, die Ihre Aufträge haben, einen je Zeile, jeden so, dass ihm nichts im Weg ist; andere Arten werden nicht freigegeben. Der Kanal muss im Reset sein.</translation>
+    </message>
+    <message>
+        <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
+        <translation>4. Der Auftrag wird in einem Satz und in einem Abschnitt gestoppt und alleingelassen, dann läuft er durch: jedes Mal Zyklusstart drücken, insgesamt %1-mal.</translation>
+    </message>
+    <message>
+        <source>Not tested: only the motion of a program runs on this control</source>
+        <translation>Nicht getestet: Auf dieser Steuerung läuft nur die Bewegung eines Programms</translation>
+    </message>
+    <message>
+        <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
+        <translation>Bestanden: Ganze Aufträge dürfen auf dieser Steuerung laufen, mit den erprobten Sätzen</translation>
+    </message>
+    <message>
+        <source>Not passed: only the motion of a program runs on this control</source>
+        <translation>Nicht bestanden: Auf dieser Steuerung läuft nur die Bewegung eines Programms</translation>
+    </message>
+    <message>
+        <source>No block is executed before Rivulet permits it.</source>
+        <translation>Kein Satz wird ausgeführt, bevor Rivulet es erlaubt.</translation>
+    </message>
+    <message>
+        <source>After a stretch no block is executed before Rivulet permits it.</source>
+        <translation>Nach einem Abschnitt wird kein Satz ausgeführt, bevor Rivulet es erlaubt.</translation>
+    </message>
+    <message>
+        <source>A stop in a block ends the job after that block.</source>
+        <translation>Ein Stopp in einem Satz beendet den Auftrag nach diesem Satz.</translation>
+    </message>
+    <message>
+        <source>A stop in a stretch ends the job there.</source>
+        <translation>Ein Stopp in einem Abschnitt beendet den Auftrag dort.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>In einem Satz steht die Achse, wenn die Verbindung verloren ist, und der Auftrag lässt sich beenden.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>In einem Abschnitt steht die Achse, wenn die Verbindung verloren ist, und der Auftrag lässt sich beenden.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands while it is held.</source>
+        <translation>In einem Satz steht die Achse, solange sie angehalten ist.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands while it is held.</source>
+        <translation>In einem Abschnitt steht die Achse, solange sie angehalten ist.</translation>
+    </message>
+    <message>
+        <source>Blocks and stretches are executed in turns, once each.</source>
+        <translation>Sätze und Abschnitte werden abwechselnd ausgeführt, jeder einmal.</translation>
+    </message>
+    <message>
+        <source>No block is passed over.</source>
+        <translation>Kein Satz wird übergangen.</translation>
+    </message>
+    <message>
+        <source>The override of the job ends with it.</source>
+        <translation>Der Override des Auftrags endet mit ihm.</translation>
     </message>
 </context>
 <context>
@@ -2476,12 +2547,23 @@
         <source>stop test</source>
         <translation>Stopp-Test</translation>
     </message>
+    <message>
+        <source>job test</source>
+        <translation>Auftrags-Test</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Während eines Laufs bleibt das Fenster bei seiner Maschine.</translation>
+    </message>
+</context>
+<context>
+    <name>MoveTexts</name>
+    <message>
+        <source>%1 moved by %2 at %3</source>
+        <translation>%1 fuhr %2 mit %3</translation>
     </message>
 </context>
 <context>
@@ -3194,8 +3276,8 @@
         <translation>Die Bahn wird vermessen.</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
-        <translation>Ganze Aufträge laufen bisher nur auf virtuellen Maschinen und auf LinuxCNC.</translation>
+        <source>Whole jobs have not been tested on this machine: Configure, Job test.</source>
+        <translation>Ganze Aufträge sind auf dieser Maschine nicht getestet: Konfiguration, Auftrags-Test.</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3445,10 @@
     <message>
         <source>Stop test</source>
         <translation>Stopp-Test</translation>
+    </message>
+    <message>
+        <source>Job test</source>
+        <translation>Auftrags-Test</translation>
     </message>
 </context>
 <context>
@@ -5498,6 +5584,10 @@ GPL-3.0-or-later</translation>
         <source>The tool is to be lowered.</source>
         <translation>Das Werkzeug soll absenken.</translation>
     </message>
+    <message>
+        <source>Line %1: &quot;%2&quot; has not been tried on this machine. Test it on the page Job test, or run the motion only.</source>
+        <translation>Zeile %1: „%2“ ist auf dieser Maschine nicht erprobt. Auf der Seite Auftrags-Test erproben, oder nur die Bewegung ausführen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -6378,6 +6468,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>lift, mm</source>
         <translation>Abhub, mm</translation>
+    </message>
+    <message>
+        <source>One block a line, as a program has it: S500 M3, M8, T1 M6</source>
+        <translation>Ein Satz je Zeile, wie er im Programm steht: S500 M3, M8, T1 M6</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried</source>
+        <translation>Zu erprobende Sätze</translation>
+    </message>
+    <message>
+        <source>2. The programs of the job are transferred, read back and selected.</source>
+        <translation>2. Die Programme des Auftrags werden übertragen, zurückgelesen und angewählt.</translation>
+    </message>
+    <message>
+        <source>the control shows nothing of it; not released</source>
+        <translation>die Steuerung zeigt davon nichts; nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>seen by the operator</source>
+        <translation>vom Bediener gesehen</translation>
+    </message>
+    <message>
+        <source>I have seen it</source>
+        <translation>Ich habe es gesehen</translation>
     </message>
 </context>
 <context>

@@ -1606,6 +1606,10 @@
         <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
         <translation>La trayectoria no se puede mantener dentro de esta tolerancia. Permita más, o ninguna; los puntos empaquetados se desplazan hasta 0,001 mm.</translation>
     </message>
+    <message>
+        <source>This block cannot be tried: the control of a job would not execute it itself, or it ends the program. Name blocks as a program has them, as in &quot;S500 M3&quot;.</source>
+        <translation>Este bloque no se puede probar: en un trabajo el control no lo ejecutaría por sí mismo, o termina el programa. Introducir los bloques como en un programa, por ejemplo «S500 M3».</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2005,10 +2009,6 @@
         <translation>no se ha movido ningún eje</translation>
     </message>
     <message>
-        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
-        <translation>%1 se movió %2 con %3; detenido, se le vio parado tras %4</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. El override se cambia mientras el eje se mueve. Después pulse Marcha CN otra vez: el programa siguiente debe moverse con su propio avance, y solo el control puede pararlo.</translation>
     </message>
@@ -2103,6 +2103,10 @@
     <message>
         <source>No other client writes the override of this test.</source>
         <translation>Ningún otro cliente escribe el override de esta prueba.</translation>
+    </message>
+    <message>
+        <source>; held, it was seen to stand after %1</source>
+        <translation>; retenido, estaba parado después de %1</translation>
     </message>
 </context>
 <context>
@@ -2238,6 +2242,73 @@
     <message>
         <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
         <translation>La herramienta %1 no está en la tabla de herramientas de la máquina, pero %2 sí. Introduzca %1 allí o escriba %2 en el programa.</translation>
+    </message>
+</context>
+<context>
+    <name>JobTestTexts</name>
+    <message>
+        <source>In a whole job the control executes blocks of its own between stretches that Rivulet streams. This test finds out whether it does that once, in order and only when it may, and whether stop, pause and a lost connection act in both: one axis moves back and forth in the air. Enter the blocks that your jobs have, one a line, each so that nothing is in its way; other kinds are not released. The channel must be in reset.</source>
+        <translation>En un trabajo completo el control ejecuta bloques propios entre los tramos que Rivulet transmite. Esta prueba averigua si lo hace una vez, en orden y solo con permiso, y si la parada, la pausa y una conexión perdida actúan en ambos: un eje se mueve de ida y vuelta en el aire. Introducir los bloques de sus trabajos, uno por línea, cada uno sin obstáculos; los demás tipos no se habilitan. El canal debe estar en reset.</translation>
+    </message>
+    <message>
+        <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
+        <translation>4. El trabajo se para y se deja solo, en un bloque y en un tramo, y luego llega al final: pulsar cada vez inicio de ciclo, %1 veces en total.</translation>
+    </message>
+    <message>
+        <source>Not tested: only the motion of a program runs on this control</source>
+        <translation>Sin probar: en este control solo se ejecuta el movimiento de un programa</translation>
+    </message>
+    <message>
+        <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
+        <translation>Superada: en este control se pueden ejecutar trabajos completos, con los bloques probados</translation>
+    </message>
+    <message>
+        <source>Not passed: only the motion of a program runs on this control</source>
+        <translation>No superada: en este control solo se ejecuta el movimiento de un programa</translation>
+    </message>
+    <message>
+        <source>No block is executed before Rivulet permits it.</source>
+        <translation>Ningún bloque se ejecuta antes de que Rivulet lo permita.</translation>
+    </message>
+    <message>
+        <source>After a stretch no block is executed before Rivulet permits it.</source>
+        <translation>Después de un tramo ningún bloque se ejecuta antes de que Rivulet lo permita.</translation>
+    </message>
+    <message>
+        <source>A stop in a block ends the job after that block.</source>
+        <translation>Una parada en un bloque termina el trabajo después de ese bloque.</translation>
+    </message>
+    <message>
+        <source>A stop in a stretch ends the job there.</source>
+        <translation>Una parada en un tramo termina allí el trabajo.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>En un bloque el eje se para cuando se pierde la conexión, y el trabajo se puede terminar.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>En un tramo el eje se para cuando se pierde la conexión, y el trabajo se puede terminar.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands while it is held.</source>
+        <translation>En un bloque el eje está parado mientras se retiene.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands while it is held.</source>
+        <translation>En un tramo el eje está parado mientras se retiene.</translation>
+    </message>
+    <message>
+        <source>Blocks and stretches are executed in turns, once each.</source>
+        <translation>Bloques y tramos se ejecutan por turnos, una vez cada uno.</translation>
+    </message>
+    <message>
+        <source>No block is passed over.</source>
+        <translation>Ningún bloque se salta.</translation>
+    </message>
+    <message>
+        <source>The override of the job ends with it.</source>
+        <translation>El override del trabajo termina con él.</translation>
     </message>
 </context>
 <context>
@@ -2476,12 +2547,23 @@
         <source>stop test</source>
         <translation>prueba de parada</translation>
     </message>
+    <message>
+        <source>job test</source>
+        <translation>prueba de trabajo</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Durante una ejecución, la ventana se queda con su máquina.</translation>
+    </message>
+</context>
+<context>
+    <name>MoveTexts</name>
+    <message>
+        <source>%1 moved by %2 at %3</source>
+        <translation>%1 movido %2 a %3</translation>
     </message>
 </context>
 <context>
@@ -3194,8 +3276,8 @@
         <translation>Se está midiendo la trayectoria.</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
-        <translation>Por ahora, los trabajos completos solo se ejecutan en máquinas virtuales y en LinuxCNC.</translation>
+        <source>Whole jobs have not been tested on this machine: Configure, Job test.</source>
+        <translation>Los trabajos completos no se han probado en esta máquina: Configurar, Prueba trabajo.</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3445,10 @@
     <message>
         <source>Stop test</source>
         <translation>Prueba parada</translation>
+    </message>
+    <message>
+        <source>Job test</source>
+        <translation>Prueba trabajo</translation>
     </message>
 </context>
 <context>
@@ -5498,6 +5584,10 @@ GPL-3.0-or-later</translation>
         <source>The tool is to be lowered.</source>
         <translation>La herramienta debe bajar.</translation>
     </message>
+    <message>
+        <source>Line %1: &quot;%2&quot; has not been tried on this machine. Test it on the page Job test, or run the motion only.</source>
+        <translation>Línea %1: «%2» no se ha probado en esta máquina. Probarlo en la página Prueba trabajo, o ejecutar solo el movimiento.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -6378,6 +6468,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>lift, mm</source>
         <translation>elevación, mm</translation>
+    </message>
+    <message>
+        <source>One block a line, as a program has it: S500 M3, M8, T1 M6</source>
+        <translation>Un bloque por línea, como en un programa: S500 M3, M8, T1 M6</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried</source>
+        <translation>Bloques que probar</translation>
+    </message>
+    <message>
+        <source>2. The programs of the job are transferred, read back and selected.</source>
+        <translation>2. Los programas del trabajo se transfieren, se vuelven a leer y se seleccionan.</translation>
+    </message>
+    <message>
+        <source>the control shows nothing of it; not released</source>
+        <translation>el control no muestra nada de ello; no habilitado</translation>
+    </message>
+    <message>
+        <source>seen by the operator</source>
+        <translation>visto por el operador</translation>
+    </message>
+    <message>
+        <source>I have seen it</source>
+        <translation>Lo he visto</translation>
     </message>
 </context>
 <context>

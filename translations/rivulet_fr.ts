@@ -1606,6 +1606,10 @@
         <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
         <translation>La trajectoire ne peut pas être tenue dans cette tolérance. Autorisez davantage, ou aucune ; les points compactés sont déplacés jusqu’à 0,001 mm.</translation>
     </message>
+    <message>
+        <source>This block cannot be tried: the control of a job would not execute it itself, or it ends the program. Name blocks as a program has them, as in &quot;S500 M3&quot;.</source>
+        <translation>Ce bloc ne peut pas être essayé : dans une tâche, la commande ne l’exécuterait pas elle-même, ou il termine le programme. Saisir les blocs comme dans un programme, par exemple « S500 M3 ».</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2005,10 +2009,6 @@
         <translation>aucun axe n’a été déplacé</translation>
     </message>
     <message>
-        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
-        <translation>%1 déplacé de %2 à %3&#xa0;; arrêté, il était immobile après %4</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. L’override est modifié pendant que l’axe se déplace. Appuyez ensuite encore une fois sur Départ cycle&#xa0;: le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
     </message>
@@ -2103,6 +2103,10 @@
     <message>
         <source>No other client writes the override of this test.</source>
         <translation>Aucun autre client n’écrit l’override de ce test.</translation>
+    </message>
+    <message>
+        <source>; held, it was seen to stand after %1</source>
+        <translation> ; retenu, il était à l’arrêt après %1</translation>
     </message>
 </context>
 <context>
@@ -2238,6 +2242,73 @@
     <message>
         <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
         <translation>L’outil %1 n’est pas dans la table d’outils de la machine, mais %2 y est. Y inscrire %1, ou écrire %2 dans le programme.</translation>
+    </message>
+</context>
+<context>
+    <name>JobTestTexts</name>
+    <message>
+        <source>In a whole job the control executes blocks of its own between stretches that Rivulet streams. This test finds out whether it does that once, in order and only when it may, and whether stop, pause and a lost connection act in both: one axis moves back and forth in the air. Enter the blocks that your jobs have, one a line, each so that nothing is in its way; other kinds are not released. The channel must be in reset.</source>
+        <translation>Dans une tâche complète, la commande exécute ses propres blocs entre les sections que Rivulet transmet. Ce test vérifie qu’elle le fait une fois, dans l’ordre et seulement avec permission, et que l’arrêt, la pause et une connexion perdue agissent dans les deux : un axe va et vient dans l’air. Saisir les blocs de vos tâches, un par ligne, chacun sans obstacle ; les autres types ne sont pas libérés. Le canal doit être en reset.</translation>
+    </message>
+    <message>
+        <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
+        <translation>4. La tâche est arrêtée et laissée seule, dans un bloc et dans une section, puis elle va jusqu’au bout : appuyer chaque fois sur départ cycle, %1 fois en tout.</translation>
+    </message>
+    <message>
+        <source>Not tested: only the motion of a program runs on this control</source>
+        <translation>Non testé : seul le mouvement d’un programme s’exécute sur cette commande</translation>
+    </message>
+    <message>
+        <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
+        <translation>Réussi : des tâches complètes peuvent s’exécuter sur cette commande, avec les blocs essayés</translation>
+    </message>
+    <message>
+        <source>Not passed: only the motion of a program runs on this control</source>
+        <translation>Échoué : seul le mouvement d’un programme s’exécute sur cette commande</translation>
+    </message>
+    <message>
+        <source>No block is executed before Rivulet permits it.</source>
+        <translation>Aucun bloc n’est exécuté avant la permission de Rivulet.</translation>
+    </message>
+    <message>
+        <source>After a stretch no block is executed before Rivulet permits it.</source>
+        <translation>Après une section, aucun bloc n’est exécuté avant la permission de Rivulet.</translation>
+    </message>
+    <message>
+        <source>A stop in a block ends the job after that block.</source>
+        <translation>Un arrêt dans un bloc termine la tâche après ce bloc.</translation>
+    </message>
+    <message>
+        <source>A stop in a stretch ends the job there.</source>
+        <translation>Un arrêt dans une section y termine la tâche.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>Dans un bloc, l’axe s’arrête quand la connexion est perdue, et la tâche peut être terminée.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>Dans une section, l’axe s’arrête quand la connexion est perdue, et la tâche peut être terminée.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands while it is held.</source>
+        <translation>Dans un bloc, l’axe reste arrêté tant qu’il est retenu.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands while it is held.</source>
+        <translation>Dans une section, l’axe reste arrêté tant qu’il est retenu.</translation>
+    </message>
+    <message>
+        <source>Blocks and stretches are executed in turns, once each.</source>
+        <translation>Blocs et sections sont exécutés tour à tour, une fois chacun.</translation>
+    </message>
+    <message>
+        <source>No block is passed over.</source>
+        <translation>Aucun bloc n’est sauté.</translation>
+    </message>
+    <message>
+        <source>The override of the job ends with it.</source>
+        <translation>La correction d’avance de la tâche finit avec elle.</translation>
     </message>
 </context>
 <context>
@@ -2476,12 +2547,23 @@
         <source>stop test</source>
         <translation>test d’arrêt</translation>
     </message>
+    <message>
+        <source>job test</source>
+        <translation>test de tâche</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Pendant une exécution, la fenêtre reste à sa machine.</translation>
+    </message>
+</context>
+<context>
+    <name>MoveTexts</name>
+    <message>
+        <source>%1 moved by %2 at %3</source>
+        <translation>%1 déplacé de %2 à %3</translation>
     </message>
 </context>
 <context>
@@ -3194,8 +3276,8 @@
         <translation>La trajectoire est en cours de mesure.</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
-        <translation>Pour l’instant, les tâches complètes ne s’exécutent que sur des machines virtuelles et sur LinuxCNC.</translation>
+        <source>Whole jobs have not been tested on this machine: Configure, Job test.</source>
+        <translation>Les tâches complètes n’ont pas été testées sur cette machine : Configurer, Test tâche.</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3445,10 @@
     <message>
         <source>Stop test</source>
         <translation>Test arrêt</translation>
+    </message>
+    <message>
+        <source>Job test</source>
+        <translation>Test tâche</translation>
     </message>
 </context>
 <context>
@@ -5498,6 +5584,10 @@ GPL-3.0-or-later</translation>
         <source>The tool is to be lowered.</source>
         <translation>L’outil doit être redescendu.</translation>
     </message>
+    <message>
+        <source>Line %1: &quot;%2&quot; has not been tried on this machine. Test it on the page Job test, or run the motion only.</source>
+        <translation>Ligne %1 : « %2 » n’a pas été essayé sur cette machine. L’essayer à la page Test tâche, ou n’exécuter que le mouvement.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -6378,6 +6468,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>lift, mm</source>
         <translation>relevage, mm</translation>
+    </message>
+    <message>
+        <source>One block a line, as a program has it: S500 M3, M8, T1 M6</source>
+        <translation>Un bloc par ligne, comme dans un programme : S500 M3, M8, T1 M6</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried</source>
+        <translation>Blocs à essayer</translation>
+    </message>
+    <message>
+        <source>2. The programs of the job are transferred, read back and selected.</source>
+        <translation>2. Les programmes de la tâche sont transférés, relus et sélectionnés.</translation>
+    </message>
+    <message>
+        <source>the control shows nothing of it; not released</source>
+        <translation>la commande n’en montre rien ; non libéré</translation>
+    </message>
+    <message>
+        <source>seen by the operator</source>
+        <translation>vu par l’opérateur</translation>
+    </message>
+    <message>
+        <source>I have seen it</source>
+        <translation>Je l’ai vu</translation>
     </message>
 </context>
 <context>

@@ -1606,6 +1606,10 @@
         <source>The path cannot be kept within this tolerance. Allow more of it, or none; packed points are moved by up to 0.001 mm.</source>
         <translation>Il percorso non si può mantenere entro questa tolleranza. Consentire di più, o nessuna; i punti compattati si spostano fino a 0,001 mm.</translation>
     </message>
+    <message>
+        <source>This block cannot be tried: the control of a job would not execute it itself, or it ends the program. Name blocks as a program has them, as in &quot;S500 M3&quot;.</source>
+        <translation>Questo blocco non può essere provato: in un lavoro il controllo non lo eseguirebbe da sé, oppure termina il programma. Inserire i blocchi come in un programma, per esempio «S500 M3».</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2005,10 +2009,6 @@
         <translation>nessun asse è stato mosso</translation>
     </message>
     <message>
-        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
-        <translation>%1 mosso di %2 a %3; fermato, era fermo dopo %4</translation>
-    </message>
-    <message>
         <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
         <translation>4. L&apos;override viene cambiato mentre l&apos;asse si muove. Poi premere ancora una volta Start NC: il programma successivo deve muoversi con il proprio avanzamento, e solo il controllo può fermarlo.</translation>
     </message>
@@ -2103,6 +2103,10 @@
     <message>
         <source>No other client writes the override of this test.</source>
         <translation>Nessun altro client scrive l’override di questa prova.</translation>
+    </message>
+    <message>
+        <source>; held, it was seen to stand after %1</source>
+        <translation>; trattenuto, era fermo dopo %1</translation>
     </message>
 </context>
 <context>
@@ -2238,6 +2242,73 @@
     <message>
         <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
         <translation>L’utensile %1 non è nella tabella utensili della macchina, ma %2 sì. Inserirvi %1 oppure scrivere %2 nel programma.</translation>
+    </message>
+</context>
+<context>
+    <name>JobTestTexts</name>
+    <message>
+        <source>In a whole job the control executes blocks of its own between stretches that Rivulet streams. This test finds out whether it does that once, in order and only when it may, and whether stop, pause and a lost connection act in both: one axis moves back and forth in the air. Enter the blocks that your jobs have, one a line, each so that nothing is in its way; other kinds are not released. The channel must be in reset.</source>
+        <translation>In un lavoro completo il controllo esegue blocchi propri fra i tratti che Rivulet trasmette. Questo test verifica che lo faccia una volta, nell’ordine e solo con il permesso, e che arresto, pausa e connessione persa agiscano in entrambi: un asse si muove avanti e indietro in aria. Inserire i blocchi dei propri lavori, uno per riga, ciascuno senza ostacoli; gli altri tipi non vengono abilitati. Il canale deve essere in reset.</translation>
+    </message>
+    <message>
+        <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
+        <translation>4. Il lavoro viene arrestato e lasciato solo, in un blocco e in un tratto, poi va fino in fondo: premere ogni volta avvio ciclo, %1 volte in tutto.</translation>
+    </message>
+    <message>
+        <source>Not tested: only the motion of a program runs on this control</source>
+        <translation>Non provato: su questo controllo va solo il movimento di un programma</translation>
+    </message>
+    <message>
+        <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
+        <translation>Superato: su questo controllo possono andare lavori completi, con i blocchi provati</translation>
+    </message>
+    <message>
+        <source>Not passed: only the motion of a program runs on this control</source>
+        <translation>Non superato: su questo controllo va solo il movimento di un programma</translation>
+    </message>
+    <message>
+        <source>No block is executed before Rivulet permits it.</source>
+        <translation>Nessun blocco viene eseguito prima del permesso di Rivulet.</translation>
+    </message>
+    <message>
+        <source>After a stretch no block is executed before Rivulet permits it.</source>
+        <translation>Dopo un tratto nessun blocco viene eseguito prima del permesso di Rivulet.</translation>
+    </message>
+    <message>
+        <source>A stop in a block ends the job after that block.</source>
+        <translation>Un arresto in un blocco termina il lavoro dopo quel blocco.</translation>
+    </message>
+    <message>
+        <source>A stop in a stretch ends the job there.</source>
+        <translation>Un arresto in un tratto termina lì il lavoro.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>In un blocco l’asse si ferma quando la connessione è persa, e il lavoro può essere terminato.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands when the connection is lost, and the job can be ended.</source>
+        <translation>In un tratto l’asse si ferma quando la connessione è persa, e il lavoro può essere terminato.</translation>
+    </message>
+    <message>
+        <source>In a block the axis stands while it is held.</source>
+        <translation>In un blocco l’asse sta fermo finché è trattenuto.</translation>
+    </message>
+    <message>
+        <source>In a stretch the axis stands while it is held.</source>
+        <translation>In un tratto l’asse sta fermo finché è trattenuto.</translation>
+    </message>
+    <message>
+        <source>Blocks and stretches are executed in turns, once each.</source>
+        <translation>Blocchi e tratti vengono eseguiti a turno, una volta ciascuno.</translation>
+    </message>
+    <message>
+        <source>No block is passed over.</source>
+        <translation>Nessun blocco viene saltato.</translation>
+    </message>
+    <message>
+        <source>The override of the job ends with it.</source>
+        <translation>L’override del lavoro finisce con esso.</translation>
     </message>
 </context>
 <context>
@@ -2476,12 +2547,23 @@
         <source>stop test</source>
         <translation>prova di stop</translation>
     </message>
+    <message>
+        <source>job test</source>
+        <translation>test di lavoro</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Durante un’esecuzione, la finestra resta alla sua macchina.</translation>
+    </message>
+</context>
+<context>
+    <name>MoveTexts</name>
+    <message>
+        <source>%1 moved by %2 at %3</source>
+        <translation>%1 spostato di %2 a %3</translation>
     </message>
 </context>
 <context>
@@ -3194,8 +3276,8 @@
         <translation>Il percorso è in corso di misurazione.</translation>
     </message>
     <message>
-        <source>Whole jobs run on virtual machines and on LinuxCNC only so far.</source>
-        <translation>Finora i lavori completi si eseguono solo su macchine virtuali e su LinuxCNC.</translation>
+        <source>Whole jobs have not been tested on this machine: Configure, Job test.</source>
+        <translation>I lavori completi non sono stati provati su questa macchina: Configura, Test lavoro.</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3445,10 @@
     <message>
         <source>Stop test</source>
         <translation>Test stop</translation>
+    </message>
+    <message>
+        <source>Job test</source>
+        <translation>Test lavoro</translation>
     </message>
 </context>
 <context>
@@ -5498,6 +5584,10 @@ GPL-3.0-or-later</translation>
         <source>The tool is to be lowered.</source>
         <translation>L’utensile deve essere riabbassato.</translation>
     </message>
+    <message>
+        <source>Line %1: &quot;%2&quot; has not been tried on this machine. Test it on the page Job test, or run the motion only.</source>
+        <translation>Riga %1: «%2» non è stato provato su questa macchina. Provarlo nella pagina Test lavoro, o eseguire solo il movimento.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -6378,6 +6468,30 @@ GPL-3.0-or-later</translation>
     <message>
         <source>lift, mm</source>
         <translation>sollevamento, mm</translation>
+    </message>
+    <message>
+        <source>One block a line, as a program has it: S500 M3, M8, T1 M6</source>
+        <translation>Un blocco per riga, come in un programma: S500 M3, M8, T1 M6</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried</source>
+        <translation>Blocchi da provare</translation>
+    </message>
+    <message>
+        <source>2. The programs of the job are transferred, read back and selected.</source>
+        <translation>2. I programmi del lavoro vengono trasferiti, riletti e selezionati.</translation>
+    </message>
+    <message>
+        <source>the control shows nothing of it; not released</source>
+        <translation>il controllo non ne mostra nulla; non abilitato</translation>
+    </message>
+    <message>
+        <source>seen by the operator</source>
+        <translation>visto dall’operatore</translation>
+    </message>
+    <message>
+        <source>I have seen it</source>
+        <translation>L’ho visto</translation>
     </message>
 </context>
 <context>

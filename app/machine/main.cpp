@@ -13,12 +13,14 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "base/file.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/kept_state.h"
 #include "machine/machine.h"
+#include "machine/surveyed.h"
 #include "machine/user.h"
 #include "platform/command_line.h"
 #include "platform/interrupt.h"
@@ -48,6 +50,7 @@ struct Arguments {
   bool noFileRights = false;
   std::string program;
   std::string stateFolder;
+  std::string survey;
   bool hashPassword = false;
 };
 
@@ -56,6 +59,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   rivulet::serving::addOptions(app, arguments.serving);
   app.add_option("--preset", arguments.preset, "Machine: a built-in preset or a TOML file")
       ->capture_default_str();
+  app.add_option("--from", arguments.survey,
+                 "Survey of a control (rivulet-cli survey -o FILE): the machine has its "
+                 "R-parameters, axes, forms and times of reading, and rights to part programs; "
+                 "all else is that of the preset");
   app.add_flag("--no-file-rights", arguments.noFileRights,
                "Clients may not write, read and select part programs");
   app.add_option("--program", arguments.program,
@@ -68,6 +75,24 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_flag("--hash-password", arguments.hashPassword,
                "Ask for a password, print what a preset holds in its place, and end");
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
+}
+
+/// Says what is assumed, for the survey does not say it.
+rivulet::base::Result<rivulet::machine::Surveyed> surveyedMachine(
+    const rivulet::machine::MachineConfig& preset, const std::string& file) {
+  const auto text = rivulet::base::readFile(file);
+  if (!text) {
+    return tl::unexpected(text.error());
+  }
+  auto surveyed = rivulet::machine::asSurveyed(preset, *text);
+  if (!surveyed) {
+    surveyed.error().context = file;
+    return surveyed;
+  }
+  for (const std::string& assumed : surveyed->assumed) {
+    rivulet::log::logger().warn("as the preset has it, not as surveyed: {}", assumed);
+  }
+  return surveyed;
 }
 
 /// Stores the program of `file` on the machine and selects it.
@@ -140,6 +165,15 @@ int main(int argc, char** argv) {
   if (!config) {
     return complain(config.error(), kExitUsage);
   }
+  bool hasFileRights = !arguments.noFileRights;
+  if (!arguments.survey.empty()) {
+    auto surveyed = surveyedMachine(*config, arguments.survey);
+    if (!surveyed) {
+      return complain(surveyed.error(), kExitUsage);
+    }
+    config = std::move(surveyed->config);
+    hasFileRights = hasFileRights && surveyed->hasFileRights;
+  }
   std::optional<rivulet::machine::KeptState> kept;
   if (!arguments.stateFolder.empty()) {
     auto opened = rivulet::machine::KeptState::open(arguments.stateFolder, *config);
@@ -157,7 +191,7 @@ int main(int argc, char** argv) {
       return complain(selected.error(), kExitUsage);
     }
   }
-  arguments.serving.server.fileRights = !arguments.noFileRights;
+  arguments.serving.server.fileRights = hasFileRights;
   if (const auto done = rivulet::serving::protect(
           arguments.serving,
           {"machine", rivulet::machine::kProductName, rivulet::machine::kApplicationUri});

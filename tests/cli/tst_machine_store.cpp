@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/file.h"
+#include "job/plan.h"
 #include "report/calibration_json.h"
 #include "report/control_test_json.h"
 #include "report/known_machine.h"
@@ -124,6 +125,54 @@ class TestMachineStore : public QObject {
     QCOMPARE(files, std::size_t{1});
     // `feasibility --calibration` takes the file of a machine as well.
     QVERIFY(report::readCalibration(path).has_value());
+  }
+
+  /// What a test of whole jobs says, and to which blocks it says so.
+  void theTestOfJobsReleasesWhatItTried() {
+    QVERIFY(!store().jobTest(kEndpoint, kServer).value());
+    streaming::JobTest made{kEndpoint, kServer, "2026-05-04T09:30:00Z", "0.1.0", {}};
+    made.result.checks = {{"hand-over", true, "yes"}};
+    made.result.move = {0, 20.0, 400.0};
+    made.result.tried = {
+        {"S500 M3", {job::NativeReason::Spindle}, streaming::Witness::Control, "spindle 0 → 500."},
+        {"M27", {job::NativeReason::Other}, streaming::Witness::Nobody, "nothing"}};
+    QVERIFY(store().save(made).has_value());
+    const auto kept = store().jobTest(kEndpoint, kServer);
+    QVERIFY(kept && *kept);
+    QVERIFY((*kept)->result.tried == made.result.tried);
+    QCOMPARE(report::testJson(**kept).dump(), report::testJson(made).dump());
+    const auto planOf = [](const char* text) {
+      gcode::LoadOptions options;
+      options.dialect = gcode::Dialect::Sinumerik;
+      return *job::makePlan("PART.MPF", text, options);
+    };
+    const job::Plan spindle = planOf("G90 G1 X5 F100\nS900 M4\nG4 F1\nX9\nM30\n");
+    const job::Plan other = planOf("G90 G1 X5 F100\nS900 M4\nM27\nX9\nM30\n");
+    const auto release = store().jobRelease(kEndpoint, kServer, false);
+    QVERIFY(release && release->runsJobs());
+    QVERIFY(release->require(spindle).has_value());
+    const auto refused = release->require(other);
+    QVERIFY(!refused && refused.error().code == streaming::StreamError::NotCommissioned);
+    QVERIFY2(refused.error().message.starts_with("Line 3: \"M27\" (other)"),
+             refused.error().message.c_str());
+    // A virtual machine needs no test; another version of the server needs another one.
+    QVERIFY(store().jobRelease(kEndpoint, kServer, true)->require(other).has_value());
+    opcua::ServerIdentity newer = kServer;
+    newer.softwareVersion += "1";
+    const auto outdated = store().jobRelease(kEndpoint, newer, false);
+    QVERIFY(outdated && !outdated->runsJobs() && !outdated->require(spindle));
+    // A witness or a kind that says nothing certain: the test has not been passed.
+    for (const auto& [key, value] :
+         {std::pair<const char*, nlohmann::ordered_json>{"seen_by", "somebody"},
+          {"kinds", nlohmann::ordered_json::array({"spindles"})}}) {
+      nlohmann::ordered_json damaged = report::testJson(made);
+      damaged["tried"][0][key] = value;
+      QVERIFY2(!report::jobTestOf(damaged).result.passed(), key);
+    }
+    // Whoever fails later runs none any more.
+    made.result.checks[0].passed = false;
+    QVERIFY(store().save(made).has_value());
+    QVERIFY(!store().jobRelease(kEndpoint, kServer, false)->runsJobs());
   }
 
   void whatSeveralProgramsSaveAtATimeStays() {

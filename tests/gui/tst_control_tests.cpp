@@ -4,6 +4,7 @@
 /// The tests of a control from the window, on the virtual machine: its result is kept for the
 /// machine.
 
+#include <QFile>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -111,6 +112,43 @@ class TestControlTests : public QObject {
     QVERIFY(!models.tests.test());
     const auto kept = models.store.feedTest("opc.tcp://feed", models.machine.link().server);
     QVERIFY(kept && *kept && (*kept)->result.proves());
+  }
+
+  /// On a control with real axes a whole job has only blocks that were tried.
+  void theTestOfJobsReleasesThem() {
+    tests::SimulatedControl control("dmu75-mill");
+    control.passForReal();
+    Models models(m_folder,
+                  [&control](const auto& asked) { return control.connect(asked.endpoint); });
+    QFile part(m_folder.filePath(QStringLiteral("part.mpf")));
+    QVERIFY(part.open(QIODevice::WriteOnly));
+    part.write("G17 G90 G94\nS500 M3\nG1 X5 F400\nM27\nG1 X9\nM30\n");
+    part.close();
+    models.document.open(part.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.isJob(), kSoonMs);
+    models.machine.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_VERIFY_WITH_TIMEOUT(!models.tests.blocked(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.document.isJob(), kSoonMs);  // it has not been tested
+    session::CommissionCommand command{session::TestKind::Jobs};
+    command.move = streaming::AirMove{0, 20.0, 400.0};
+    command.blocks = {"S500 M3", "M27"};
+    models.tests.start(command);
+    QVERIFY(models.machine.mayMove());
+    QTRY_VERIFY_WITH_TIMEOUT(models.tests.jobTest().has_value(), kSoonMs);
+    QVERIFY(models.tests.jobTest()->result.passed());
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.isJob(), kSoonMs);
+    const auto blocked = [&] {
+      const auto why = models.runs.startBlocked();
+      return why && why->reason == streaming::BlockReason::BeyondMachine;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(blocked(), kSoonMs);
+    QVERIFY(models.runs.startBlocked()->cause->message.find("Line 4: \"M27\"") !=
+            std::string::npos);
+    models.tests.confirmBlock(1);
+    QVERIFY(!blocked());
+    const auto kept =
+        models.store.jobTest(tests::SimulatedControl::endpoint(), models.machine.link().server);
+    QVERIFY(kept && *kept && (*kept)->result.tried[1].witness == streaming::Witness::Operator);
   }
 
   /// An axis may move while a control is tested: the machine is seen as before, and Stop can be

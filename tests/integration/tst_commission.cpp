@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Method credit over OPC UA, as its user meets it: refused, tested, allowed, by the programs.
+/// The tests of a control over OPC UA, as their user meets them, by the programs: method credit is
+/// refused, tested, allowed; whole jobs are tested, with permissions that come late and a client
+/// that is lost.
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -105,6 +107,21 @@ class TestCommission : public QObject {
       QVERIFY(then.json["error"]["message"].get<std::string>().find("failed the test") !=
               std::string::npos);
     }
+  }
+
+  void wholeJobsAreTested() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                                        {QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    const Outcome test =
+        run({QStringLiteral("commission"), QStringLiteral("--jobs"), QStringLiteral("--air-move"),
+             QStringLiteral("Y20"), QStringLiteral("--feed"), QStringLiteral("600"),
+             QStringLiteral("--block"), QStringLiteral("S500 M3"), QStringLiteral("--block"),
+             QStringLiteral("M27"), QStringLiteral("--endpoint"), machine.endpoint()});
+    QVERIFY2(test.exit == 0, test.json.dump(1).c_str());
+    QVERIFY(test.json["passed"].get<bool>());
+    QCOMPARE(test.json["tried"].size(), std::size_t{2});
+    QCOMPARE(test.json["tried"][0]["seen_by"].get<std::string>(), std::string("control"));
+    QCOMPARE(test.json["tried"][1]["seen_by"].get<std::string>(), std::string("nobody"));
   }
 };
 

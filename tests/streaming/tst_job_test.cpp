@@ -14,6 +14,7 @@
 #include "streaming/simulation/simulated_link.h"
 #include "support/misread_link.h"
 #include "support/test_program.h"
+#include "templates/target.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -233,6 +234,19 @@ class TestJobTest : public QObject {
       QVERIFY2(off[0] > -0.001 && off[0] < 20.001, qPrintable(QString::number(off[0])));
       QVERIFY(std::abs(off[1]) < 0.001 && std::abs(off[2]) < 0.001);
     }
+  }
+
+  /// Its programs are for a SINUMERIK alone.
+  void anotherControlIsRefused() {
+    World world;
+    struct LinuxCnc final : tests::MisreadLink {
+      using MisreadLink::MisreadLink;
+      base::Result<opcua::ServerIdentity> identity() override {
+        return opcua::ServerIdentity{std::string(templates::kLinuxCncApplicationUri), "", "", ""};
+      }
+    } control(world.link, "no such text", "");
+    const auto result = streaming::testJobs(control, control, World::planOf({}));
+    QVERIFY(!result && result.error().code == opcua::LinkError::NamespaceMissing);
   }
 
   /// It is the block's, and says nothing of the control.

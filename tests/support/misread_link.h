@@ -15,7 +15,7 @@
 namespace rivulet::tests {
 
 /// The program as a wrong machine understands it.
-class MisreadLink final : public opcua::ForwardingLink, public opcua::Control {
+class MisreadLink : public opcua::ForwardingLink, public opcua::Control {
  public:
   MisreadLink(streaming::SimulatedLink& link, std::string from, std::string to)
       : ForwardingLink(link), m_machine(link), m_from(std::move(from)), m_to(std::move(to)) {}

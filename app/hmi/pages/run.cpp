@@ -82,7 +82,7 @@ struct RunTexts {
     }
     switch (*obstacle) {
       case Document::JobObstacle::Machine:
-        return tr("Whole jobs have not been tested on this machine: Set up, Job test.");
+        return tr("Whole jobs have not been tested on this machine: Configure, Job test.");
       case Document::JobObstacle::Method:
         return tr("Whole jobs need method window or credit.");
       case Document::JobObstacle::Correction:

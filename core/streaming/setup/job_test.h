@@ -22,6 +22,7 @@
 #include "base/result.h"
 #include "job/plan.h"
 #include "opcua/link.h"
+#include "streaming/run/run.h"
 #include "streaming/setup/feed_test.h"
 
 namespace rivulet::streaming {

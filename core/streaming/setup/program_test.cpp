@@ -9,6 +9,7 @@
 #include "streaming/control/control_alarm.h"
 #include "streaming/run/run.h"
 #include "streaming/start/program_transfer.h"
+#include "templates/target.h"
 
 namespace rivulet::streaming {
 
@@ -50,6 +51,14 @@ void ProgramTest::pause() {
 }
 
 Result<void> ProgramTest::requireReset() {
+  const auto identity = m_control.identity();
+  if (identity &&
+      templates::targetOf(identity->applicationUri) != templates::TargetControl::Sinumerik) {
+    return base::fail(
+        opcua::LinkError::NamespaceMissing,
+        "This test is a program for a SINUMERIK. LinuxCNC needs none: its feed cell is "
+        "tried at each start, and whole jobs are released.");
+  }
   const auto state = numbers(kState);
   if (!state) {
     return base::fail(state.error());

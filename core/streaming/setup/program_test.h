@@ -41,7 +41,7 @@ class ProgramTest {
   [[nodiscard]] base::Result<void> proceed(CommissioningStep step);
   void pause();
 
-  /// The channel is in reset, without an alarm.
+  /// The control is a SINUMERIK, and its channel in reset, without an alarm.
   [[nodiscard]] base::Result<void> requireReset();
   /// A number left from an earlier test must not pass for the program's own: its cell is cleared.
   [[nodiscard]] base::Result<void> transfer(const std::string& name, const std::string& text,
