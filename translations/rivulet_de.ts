@@ -2255,16 +2255,8 @@
         <translation>4. Der Auftrag wird in einem Satz und in einem Abschnitt gestoppt und alleingelassen, dann läuft er durch: jedes Mal Zyklusstart drücken, insgesamt %1-mal.</translation>
     </message>
     <message>
-        <source>Not tested: only the motion of a program runs on this control</source>
-        <translation>Nicht getestet: Auf dieser Steuerung läuft nur die Bewegung eines Programms</translation>
-    </message>
-    <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
         <translation>Bestanden: Ganze Aufträge dürfen auf dieser Steuerung laufen, mit den erprobten Sätzen</translation>
-    </message>
-    <message>
-        <source>Not passed: only the motion of a program runs on this control</source>
-        <translation>Nicht bestanden: Auf dieser Steuerung läuft nur die Bewegung eines Programms</translation>
     </message>
     <message>
         <source>No block is executed before Rivulet permits it.</source>
@@ -2309,6 +2301,14 @@
     <message>
         <source>The override of the job ends with it.</source>
         <translation>Der Override des Auftrags endet mit ihm.</translation>
+    </message>
+    <message>
+        <source>Not tested: on a real control only the motion of a program runs</source>
+        <translation>Nicht getestet: Auf einer echten Steuerung läuft nur die Bewegung eines Programms</translation>
+    </message>
+    <message>
+        <source>Not passed: on a real control only the motion of a program runs</source>
+        <translation>Nicht bestanden: Auf einer echten Steuerung läuft nur die Bewegung eines Programms</translation>
     </message>
 </context>
 <context>
@@ -6492,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>I have seen it</source>
         <translation>Ich habe es gesehen</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried, one a line: S500 M3</source>
+        <translation>Zu erprobende Sätze, einer je Zeile: S500 M3</translation>
     </message>
 </context>
 <context>

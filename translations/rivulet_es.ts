@@ -2255,16 +2255,8 @@
         <translation>4. El trabajo se para y se deja solo, en un bloque y en un tramo, y luego llega al final: pulsar cada vez inicio de ciclo, %1 veces en total.</translation>
     </message>
     <message>
-        <source>Not tested: only the motion of a program runs on this control</source>
-        <translation>Sin probar: en este control solo se ejecuta el movimiento de un programa</translation>
-    </message>
-    <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
         <translation>Superada: en este control se pueden ejecutar trabajos completos, con los bloques probados</translation>
-    </message>
-    <message>
-        <source>Not passed: only the motion of a program runs on this control</source>
-        <translation>No superada: en este control solo se ejecuta el movimiento de un programa</translation>
     </message>
     <message>
         <source>No block is executed before Rivulet permits it.</source>
@@ -2309,6 +2301,14 @@
     <message>
         <source>The override of the job ends with it.</source>
         <translation>El override del trabajo termina con él.</translation>
+    </message>
+    <message>
+        <source>Not tested: on a real control only the motion of a program runs</source>
+        <translation>Sin probar: en un control real solo se ejecuta el movimiento de un programa</translation>
+    </message>
+    <message>
+        <source>Not passed: on a real control only the motion of a program runs</source>
+        <translation>No superada: en un control real solo se ejecuta el movimiento de un programa</translation>
     </message>
 </context>
 <context>
@@ -6492,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>I have seen it</source>
         <translation>Lo he visto</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried, one a line: S500 M3</source>
+        <translation>Bloques que probar, uno por línea: S500 M3</translation>
     </message>
 </context>
 <context>

@@ -2255,16 +2255,8 @@
         <translation>4. La tâche est arrêtée et laissée seule, dans un bloc et dans une section, puis elle va jusqu’au bout : appuyer chaque fois sur départ cycle, %1 fois en tout.</translation>
     </message>
     <message>
-        <source>Not tested: only the motion of a program runs on this control</source>
-        <translation>Non testé : seul le mouvement d’un programme s’exécute sur cette commande</translation>
-    </message>
-    <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
         <translation>Réussi : des tâches complètes peuvent s’exécuter sur cette commande, avec les blocs essayés</translation>
-    </message>
-    <message>
-        <source>Not passed: only the motion of a program runs on this control</source>
-        <translation>Échoué : seul le mouvement d’un programme s’exécute sur cette commande</translation>
     </message>
     <message>
         <source>No block is executed before Rivulet permits it.</source>
@@ -2309,6 +2301,14 @@
     <message>
         <source>The override of the job ends with it.</source>
         <translation>La correction d’avance de la tâche finit avec elle.</translation>
+    </message>
+    <message>
+        <source>Not tested: on a real control only the motion of a program runs</source>
+        <translation>Non testé : sur une commande réelle, seul le mouvement d’un programme s’exécute</translation>
+    </message>
+    <message>
+        <source>Not passed: on a real control only the motion of a program runs</source>
+        <translation>Échoué : sur une commande réelle, seul le mouvement d’un programme s’exécute</translation>
     </message>
 </context>
 <context>
@@ -6492,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>I have seen it</source>
         <translation>Je l’ai vu</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried, one a line: S500 M3</source>
+        <translation>Blocs à essayer, un par ligne : S500 M3</translation>
     </message>
 </context>
 <context>

@@ -2255,16 +2255,8 @@
         <translation>4. Il lavoro viene arrestato e lasciato solo, in un blocco e in un tratto, poi va fino in fondo: premere ogni volta avvio ciclo, %1 volte in tutto.</translation>
     </message>
     <message>
-        <source>Not tested: only the motion of a program runs on this control</source>
-        <translation>Non provato: su questo controllo va solo il movimento di un programma</translation>
-    </message>
-    <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
         <translation>Superato: su questo controllo possono andare lavori completi, con i blocchi provati</translation>
-    </message>
-    <message>
-        <source>Not passed: only the motion of a program runs on this control</source>
-        <translation>Non superato: su questo controllo va solo il movimento di un programma</translation>
     </message>
     <message>
         <source>No block is executed before Rivulet permits it.</source>
@@ -2309,6 +2301,14 @@
     <message>
         <source>The override of the job ends with it.</source>
         <translation>L’override del lavoro finisce con esso.</translation>
+    </message>
+    <message>
+        <source>Not tested: on a real control only the motion of a program runs</source>
+        <translation>Non provato: su un controllo reale va solo il movimento di un programma</translation>
+    </message>
+    <message>
+        <source>Not passed: on a real control only the motion of a program runs</source>
+        <translation>Non superato: su un controllo reale va solo il movimento di un programma</translation>
     </message>
 </context>
 <context>
@@ -6492,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>I have seen it</source>
         <translation>L’ho visto</translation>
+    </message>
+    <message>
+        <source>Blocks to be tried, one a line: S500 M3</source>
+        <translation>Blocchi da provare, uno per riga: S500 M3</translation>
     </message>
 </context>
 <context>

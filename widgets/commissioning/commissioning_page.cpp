@@ -197,6 +197,7 @@ void CommissioningPage::retranslate() {
   m_confirmed->setText(tr("Nobody else uses R%1 to R%2")
                            .arg(m_cell->value())
                            .arg(m_cell->value() + m_texts->cells() - 1));
+  m_blocks->setPlaceholderText(tr("Blocks to be tried, one a line: S500 M3"));
   m_word->setPlaceholderText(tr("Nothing is in its way: %1").arg(QLatin1String(kMoveWord)));
   m_program->setPlainText(m_texts->program(m_cell->value(), typedMove()));
   showSteps();

@@ -214,13 +214,13 @@ class JobTestTexts final : public ControlTestTexts {
         .arg(streaming::kJobTestStarts);
   }
   [[nodiscard]] QString notTested() const override {
-    return tr("Not tested: only the motion of a program runs on this control");
+    return tr("Not tested: on a real control only the motion of a program runs");
   }
   [[nodiscard]] QString enough() const override {
     return tr("Passed: whole jobs may run on this control, with the blocks that were tried");
   }
   [[nodiscard]] QString failed() const override {
-    return tr("Not passed: only the motion of a program runs on this control");
+    return tr("Not passed: on a real control only the motion of a program runs");
   }
   [[nodiscard]] QString check(const CommissioningCheck& check) const override {
     static const std::array<std::pair<const char*, const char*>, 11> kSaid{{
