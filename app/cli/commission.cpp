@@ -209,7 +209,8 @@ Exit commission(const CommissionOptions& options) {
     return !interrupt::wasSeen();
   };
   if (options.jobs) {
-    streaming::JobTestTalk talk{saysAgain, {}};
+    streaming::JobTestTalk talk;
+    talk.progress = saysAgain;
     if (!options.json) {
       talk.hasSeen = hasSeen;
     }

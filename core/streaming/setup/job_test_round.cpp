@@ -104,9 +104,9 @@ void JobTestRound::nativeBlock(const job::NativeBlock& /*block*/) {
 }
 
 void JobTestRound::stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) {
-  if (m_hold) {
+  if (m_holds.now) {
     held() = false;  // what was to stand has come to its end
-    m_hold.reset();
+    m_holds.now.reset();
   }
   const EquipmentSeen after = look();
   if (m_gap >= kGapOfFirstTrial) {
@@ -167,7 +167,7 @@ void JobTestRound::update(const LiveUpdate& update) {
   m_phaseStartMm = m_phaseStartMm.value_or(atMm);
   if (m_link.isWithholding()) {
     watchPermission(atMm);
-  } else if (m_hold) {
+  } else if (m_holds.now) {
     watchHold(atMm, update.at, update.feed);
   } else {
     actOnTheWay(atMm, update.at);
@@ -195,7 +195,7 @@ bool JobTestRound::isSceneOf(bool inBlock) const {
     case JobTestScene::LoseInStretch:
       return isPlace && !inBlock && m_stretch == 1 && !m_hasActed;
     case JobTestScene::Whole:
-      return isPlace && (inBlock ? !m_heldInBlock : m_stretch == 1 && !m_heldInStretch);
+      return isPlace && (inBlock ? !m_holds.inBlock : m_stretch == 1 && !m_holds.inStretch);
   }
   return false;
 }
@@ -217,24 +217,24 @@ void JobTestRound::actOnTheWay(double atMm, Instant at) {
       m_link.lose();
       return;
     case JobTestScene::Whole:
-      m_hold = Hold{at, at, atMm};
+      m_holds.now = Hold{at, at, atMm};
       return;
   }
 }
 
 void JobTestRound::watchHold(double atMm, Instant at, const std::optional<FeedSeen>& feed) {
-  if (std::abs(atMm - m_hold->atMm) > kTestStandsMm) {
-    m_hold->atMm = atMm;
-    m_hold->stoodSince = at;
+  if (std::abs(atMm - m_holds.now->atMm) > kTestStandsMm) {
+    m_holds.now->atMm = atMm;
+    m_holds.now->stoodSince = at;
   }
   const bool acts = feed && feed->actsPercent == templates::FeedCell::kHold;
   const double way = std::abs((atMm - *m_phaseStartMm) / m_plan.move.mm);
-  if (at - m_hold->stoodSince >= kHeldFor && acts && way < 1.0 - kWayLeast) {
+  if (at - m_holds.now->stoodSince >= kHeldFor && acts && way < 1.0 - kWayLeast) {
     held() = true;
-    m_hold.reset();
-  } else if (at - m_hold->from > kHoldPatience) {
+    m_holds.now.reset();
+  } else if (at - m_holds.now->from > kHoldPatience) {
     held() = false;
-    m_hold.reset();
+    m_holds.now.reset();
     m_stops = true;
   }
 }

@@ -48,8 +48,8 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   /// After which stretch blocks were executed too early, 0: before the first; nothing: never.
   [[nodiscard]] std::optional<int> earlyAfter() const { return m_early; }
   /// Nothing: the job did not come there.
-  [[nodiscard]] std::optional<bool> heldInBlock() const { return m_heldInBlock; }
-  [[nodiscard]] std::optional<bool> heldInStretch() const { return m_heldInStretch; }
+  [[nodiscard]] std::optional<bool> heldInBlock() const { return m_holds.inBlock; }
+  [[nodiscard]] std::optional<bool> heldInStretch() const { return m_holds.inStretch; }
   /// It came to the blocks that are tried: what stops there may be theirs.
   [[nodiscard]] bool isTrying() const { return m_isNative && m_gap >= kGapOfFirstTrial; }
   /// The last block that was tried has taken the axis elsewhere: the job was ended there.
@@ -66,7 +66,7 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   bool waitsForCycleStart() override;
   // RunOrders
   bool stopRequested(base::Instant now) override;
-  bool holdRequested(base::Instant /*now*/) override { return m_hold.has_value(); }
+  bool holdRequested(base::Instant /*now*/) override { return m_holds.now.has_value(); }
   /// Whoever aborts the test wants the axes to stand where they are.
   bool letsEnd(base::Instant /*now*/) override { return !m_isCancelled; }
   bool leaves(base::Instant /*now*/) override { return m_isCancelled; }
@@ -82,7 +82,9 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   void watchPermission(double atMm);
   void actOnTheWay(double atMm, base::Instant at);
   void watchHold(double atMm, base::Instant at, const std::optional<FeedSeen>& feed);
-  [[nodiscard]] std::optional<bool>& held() { return m_isNative ? m_heldInBlock : m_heldInStretch; }
+  [[nodiscard]] std::optional<bool>& held() {
+    return m_isNative ? m_holds.inBlock : m_holds.inStretch;
+  }
   [[nodiscard]] bool isSceneOf(bool inBlock) const;
   [[nodiscard]] EquipmentSeen look();
   void closeTrial(const EquipmentSeen& after, double atMm);
@@ -114,9 +116,12 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   bool m_isElsewhere = false;
   bool m_hasWaited = false;  ///< for cycle start, in the gap
   std::optional<int> m_early;
-  std::optional<Hold> m_hold;
-  std::optional<bool> m_heldInBlock;
-  std::optional<bool> m_heldInStretch;
+  struct Holds {
+    std::optional<Hold> now;
+    std::optional<bool> inBlock;
+    std::optional<bool> inStretch;
+  };
+  Holds m_holds;
 
   EquipmentWatch m_equipment;
   EquipmentSeen m_before;
