@@ -659,7 +659,8 @@ class TestRunController : public QObject {
     QVERIFY(loaded.wait(kSoonMs));
     QVERIFY(!models.document.isJob());
     QVERIFY(models.document.jobObstacle() == Document::JobObstacle::Method);
-    models.document.setRunsJobs(false);
+    models.document.setJobRelease(
+        streaming::JobRelease(std::nullopt, "opc.tcp://real", opcua::ServerIdentity{}, false));
     QVERIFY(models.document.jobObstacle() == Document::JobObstacle::Machine);
   }
 };

@@ -491,6 +491,11 @@ class WholeJob : public HostedRun {
       if (m_held.isDue(m_isStopped, m_feed, m_orders, m_link.now())) {
         return leaveHeld();
       }
+      if (next > 0 && state->call == call(m_stretches[next - 1]->number)) {
+        if (Result<void> returns = awaitReturn(m_stretches[next - 1]->number); !returns) {
+          return returns;
+        }
+      }
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
       if (!isCalled) {
@@ -511,6 +516,17 @@ class WholeJob : public HostedRun {
       m_sink.nativeBlocks(numberAt(next));
     }
     return {};
+  }
+
+  /// The loop has been permitted to return, and has not yet.
+  [[nodiscard]] Result<void> awaitReturn(int stretch) const {
+    if (m_isHeld || m_isStopped || m_link.now() < m_permittedAt + m_settings.stallDeadline) {
+      return {};
+    }
+    return base::fail(
+        StreamError::StreamStalled,
+        fmt::format("The control did not go on after stretch {}. Reset it, and check its program.",
+                    stretch));
   }
 
   /// Of a stretch. @param index  in `m_stretches`; after the last: one more than its number
@@ -673,6 +689,7 @@ class WholeJob : public HostedRun {
       return {};
     }
     m_isHeld = holds;
+    m_permittedAt = m_link.now();
     publish(holds ? RunState::Holding : RunState::Running, "native-blocks");
     return writeRun(holds ? WindowProtocol::kHold : m_lastGoOn);
   }
@@ -804,6 +821,7 @@ class WholeJob : public HostedRun {
     m_lastGoOn = JobProtocol::goOn(stretch);
     m_isHeld = false;
     m_isNative = true;
+    m_permittedAt = m_link.now();
     return writeRun(m_lastGoOn);
   }
 
@@ -878,6 +896,7 @@ class WholeJob : public HostedRun {
   TraceFetch m_fetch;
   int m_firstRun = 0;
   int m_lastGoOn = 0;
+  Instant m_permittedAt{};  ///< the last time that was written
   bool m_isStarted = false;
   bool m_isStopped = false;
   bool m_isHeld = false;
