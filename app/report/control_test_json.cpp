@@ -48,7 +48,7 @@ constexpr auto kTriedFields = [](auto& io, auto& block) {
       if (const auto kind = job::nativeReasonFromName(name)) {
         block.kinds.push_back(*kind);
       } else {
-        io.refuse();
+        io.refuse("kinds");
       }
     }
   }

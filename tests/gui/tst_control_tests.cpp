@@ -125,6 +125,8 @@ class TestControlTests : public QObject {
     part.write("G17 G90 G94\nS500 M3\nG1 X5 F400\nM27\nG1 X9\nM30\n");
     part.close();
     models.document.open(part.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.view(), kSoonMs);
+    models.document.chooseJob(true);
     QTRY_VERIFY_WITH_TIMEOUT(models.document.isJob(), kSoonMs);
     models.machine.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
     QTRY_VERIFY_WITH_TIMEOUT(!models.tests.blocked(), kSoonMs);
