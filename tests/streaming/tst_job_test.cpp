@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "job/main_program.h"
 #include "machine/machine.h"
 #include "opcua/await.h"
 #include "streaming/run/run.h"
@@ -119,7 +120,7 @@ class TestJobTest : public QObject {
     row("stretches do not obey the override", "ID=5 DO $AC_OVR=$R31",
         "ID=5 WHENEVER $R29<=0 DO $AC_OVR=$R31", "silence-in-stretch");
     row("silence is obeyed, and no hold", "ID=5 DO $AC_OVR=$R31",
-        "ID=5 WHENEVER ($R31>0) OR ($AC_TIMER[1]>1) DO $AC_OVR=$R31", "held-in-block");
+        "ID=5 WHENEVER ($R31>0) OR ($AC_TIMER[1]>1) DO $AC_OVR=$R31", "held-in-stretch");
   }
   void wrongControlsFail() {
     QFETCH(QString, written);
@@ -236,6 +237,20 @@ class TestJobTest : public QObject {
     }
   }
 
+  /// A program counts from elsewhere than the control does in reset: nothing is moved.
+  void anotherOffsetInProgramsIsNoticed() {
+    World world;
+    const base::Vec3 start = world.machine.state().commandMm;
+    const auto result = world.test(QStringLiteral("G90 G94 G64\n"),
+                                   QStringLiteral("$P_UIFR[1,X,TR]=7\nG54\nG90 G94 G64\n"));
+    QVERIFY2(!result && result.error().code == job::JobError::PositionDiffers,
+             result ? textOf(*result).c_str() : result.error().text().c_str());
+    QCOMPARE(world.machine.state().commandMm[0], start[0]);
+    for (const trace::ExecutedBlock& block : world.machine.trace().blocks) {
+      QVERIFY(block.lengthMm < 1e-6);
+    }
+  }
+
   /// Its programs are for a SINUMERIK alone.
   void anotherControlIsRefused() {
     World world;
@@ -259,8 +274,9 @@ class TestJobTest : public QObject {
   /// The axes stand where they are.
   void aTestCanBeAborted() {
     World world;
-    int calls = 0;
-    world.talk.progress = [&calls](streaming::CommissioningStep) { return ++calls < 400; };
+    world.talk.progress = [&world](streaming::CommissioningStep) {
+      return world.machine.state().commandMm[0] < 5.0;
+    };
     const auto result = world.test();
     QVERIFY(!result && result.error().code == StreamError::Cancelled);
     const base::Vec3 there = world.machine.state().commandMm;

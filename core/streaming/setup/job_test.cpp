@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "base/axes.h"
@@ -35,6 +36,11 @@ using templates::FeedCell;
 constexpr Duration kSteady = std::chrono::milliseconds{500};
 constexpr Duration kBrakes = std::chrono::seconds{3};
 constexpr Duration kStaysFor = std::chrono::seconds{2};
+struct Played {
+  std::unique_ptr<JobTestRound> round;
+  WholeJobReport report;
+};
+
 /// A dwell as the client sees it: it looks every 20 ms, twice.
 constexpr double kDwellToleranceS = 0.1;
 
@@ -119,6 +125,14 @@ class JobTest : ProgramTest {
       return base::fail(StreamError::Cancelled,
                         "The test was aborted. Reset the control if its program is still running.");
     }
+    if (round.countsFromMm()) {
+      return base::fail(
+          job::JobError::PositionDiffers,
+          fmt::format("In a program {} is at {:.3f} mm, and without one at {:.3f} mm: another work "
+                      "offset or tool length is active there. Nothing was moved. Activate before "
+                      "the test what a program begins with.",
+                      base::kAxisNames[axis()], *round.countsFromMm(), m_beforeMm));
+    }
     const std::error_code code = report.error.code;
     const bool isElsewhere =
         (code && code.category() == make_error_code(opcua::LinkError::NotReachable).category() &&
@@ -146,21 +160,36 @@ class JobTest : ProgramTest {
     return true;
   }
 
-  JobTestRound makeRound(JobTestScene scene) {
-    return JobTestRound(m_link, m_control, m_job, m_jobPlan, scene, m_starts == 0, m_talk);
-  }
-
-  Result<void> stopInBlock() {
-    JobTestRound round = makeRound(JobTestScene::StopInBlock);
-    const auto report = play(round);
+  /// Runs the scene, from where the axis stands now.
+  Result<Played> play(JobTestScene scene) {
+    const auto before = place();
+    if (!before) {
+      return base::fail(before.error());
+    }
+    m_beforeMm = (*before)[axis()];
+    Played played{std::make_unique<JobTestRound>(m_link, m_control, m_job, m_jobPlan, scene,
+                                                 m_beforeMm, m_starts == 0, m_talk),
+                  {}};
+    Result<WholeJobReport> report = play(*played.round);
     if (!report) {
       return base::fail(report.error());
     }
+    played.report = std::move(*report);
+    return played;
+  }
+
+  Result<void> stopInBlock() {
+    const auto played = play(JobTestScene::StopInBlock);
+    if (!played) {
+      return base::fail(played.error());
+    }
+    const auto& [roundOf, report] = *played;
+    const JobTestRound& round = *roundOf;
     const std::optional<int> early = round.earlyAfter();
     add("waits-for-client", early != 0,
         early == 0 ? "The control executed blocks before the client had permitted it."
                    : "Before the permission of the client nothing was executed.");
-    if (early == 0 || !handedOver(round, *report)) {
+    if (early == 0 || !handedOver(round, report)) {
       return {};
     }
     add("waits-after-stretch", early != 1,
@@ -168,18 +197,19 @@ class JobTest : ProgramTest {
                      "it."
                    : "After a stretch nothing was executed before the permission of the client.");
     return early == 1 ? Result<void>()
-                      : judgeStop("stopped-in-block", round, *report, m_job.farMm,
+                      : judgeStop("stopped-in-block", round, report, m_job.farMm,
                                   "the block in motion was executed, and none after it");
   }
 
   Result<void> stopInStretch() {
-    JobTestRound round = makeRound(JobTestScene::StopInStretch);
-    const auto report = play(round);
-    if (!report) {
-      return base::fail(report.error());
+    const auto played = play(JobTestScene::StopInStretch);
+    if (!played) {
+      return base::fail(played.error());
     }
-    return handedOver(round, *report)
-               ? judgeStop("stopped-in-stretch", round, *report, m_job.nearMm,
+    const auto& [roundOf, report] = *played;
+    const JobTestRound& round = *roundOf;
+    return handedOver(round, report)
+               ? judgeStop("stopped-in-stretch", round, report, m_job.nearMm,
                            "the window in motion was executed, and no block after it")
                : Result<void>();
   }
@@ -212,12 +242,13 @@ class JobTest : ProgramTest {
 
   /// The client is gone: the axes stand on their way, and the program can be ended by another one.
   Result<void> lose(JobTestScene scene, const char* name, double endMm) {
-    JobTestRound round = makeRound(scene);
-    const auto report = play(round);
-    if (!report) {
-      return base::fail(report.error());
+    const auto played = play(scene);
+    if (!played) {
+      return base::fail(played.error());
     }
-    if (!handedOver(round, *report)) {
+    const auto& [roundOf, report] = *played;
+    const JobTestRound& round = *roundOf;
+    if (!handedOver(round, report)) {
       return {};
     }
     const auto stood = awaitStanding();
@@ -288,11 +319,12 @@ class JobTest : ProgramTest {
   }
 
   Result<void> goThrough() {
-    JobTestRound round = makeRound(JobTestScene::Whole);
-    const auto report = play(round);
-    if (!report) {
-      return base::fail(report.error());
+    const auto played = play(JobTestScene::Whole);
+    if (!played) {
+      return base::fail(played.error());
     }
+    const auto& [roundOf, report] = *played;
+    const JobTestRound& round = *roundOf;
     for (const auto& [name, held, what] :
          {std::tuple{"held-in-block", round.heldInBlock(), "a block of the control"},
           std::tuple{"held-in-stretch", round.heldInStretch(), "a stretch"}}) {
@@ -303,20 +335,19 @@ class JobTest : ProgramTest {
                               : "did not stand, or not for as long as it was held"));
       }
     }
-    if (!m_result.passed() || !handedOver(round, *report)) {
+    if (!m_result.passed() || !handedOver(round, report)) {
       return {};
     }
-    const bool isWhole = report->outcome == Outcome::Completed || round.isElsewhere();
-    const bool isJudged = report->integrity.judged;
+    const bool isWhole = report.outcome == Outcome::Completed || round.isElsewhere();
+    const bool isJudged = report.integrity.judged;
     add("hand-over",
         isWhole && round.heldInBlock() && round.heldInStretch() &&
-            (!isJudged || report->integrity.isFaultless()),
-        isJudged && !report->integrity.isFaultless()
+            (!isJudged || report.integrity.isFaultless()),
+        isJudged && !report.integrity.isFaultless()
             ? "By the control's trace not every point was executed once and in order."
             : fmt::format("Blocks and {} stretches were executed in turns, once and in order{}.",
-                          report->stretches.size(),
-                          isJudged ? ", by the control's trace too" : ""));
-    judgeDwell(*report);
+                          report.stretches.size(), isJudged ? ", by the control's trace too" : ""));
+    judgeDwell(report);
     m_result.tried = round.tried();
     askOperator();
     return m_result.passed() ? endsWithJob() : Result<void>();
@@ -379,6 +410,7 @@ class JobTest : ProgramTest {
   JobTestJob m_job;
   JobCommissioning m_result;
   int m_starts = 0;
+  double m_beforeMm = 0.0;  ///< the axis, before the program was started last
 };
 
 /// What such a block does is known for each text alone.

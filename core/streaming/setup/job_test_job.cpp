@@ -23,7 +23,8 @@ constexpr int kPointsPerWindow = 3;
 /// After each trial: a spindle comes to its speed.
 constexpr double kAfterTrialS = 1.0;
 /// Before the first trial.
-constexpr std::size_t kStretchesOfTest = 3;
+constexpr std::size_t kStretchesOfTest = 4;
+constexpr double kFirstDwellS = 0.5;
 /// The program has its numbers with three decimals.
 constexpr double kAgreedMm = 0.001;
 
@@ -46,7 +47,8 @@ Written programOf(const JobTestPlan& plan, base::Vec3 startMm) {
   Written written;
   std::string& text = written.text;
   text = mode + '\n';
-  text += native(far) + streamed(near) + native(far) + native(middle) + streamed(far);
+  text += fmt::format("G4 F{:g}\n", kFirstDwellS) + streamed(near) + native(far) + streamed(near) +
+          native(far) + native(middle) + streamed(far);
   text += fmt::format("MSG(\"RIVULET: TEST OF WHOLE JOBS\")\nG4 F{:g}\n", kTestDwellS);
   text += streamed(near);
   bool isNear = true;
@@ -163,7 +165,7 @@ Result<JobTestJob> makeJobTestJob(const JobTestPlan& plan, base::Vec3 startMm) {
   const auto dwell =
       std::find_if(test.plan.parts.begin(), test.plan.parts.end(), [](const job::Part& part) {
         const auto* const native = std::get_if<job::NativeBlock>(&part);
-        return native != nullptr && native->reason == job::NativeReason::Dwell;
+        return native != nullptr && native->source == fmt::format("G4 F{:g}", kTestDwellS);
       });
   test.dwellPart = static_cast<std::size_t>(dwell - test.plan.parts.begin());
   test.settings = settingsOf(plan);

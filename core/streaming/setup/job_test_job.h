@@ -21,11 +21,15 @@ namespace rivulet::streaming {
 
 inline constexpr std::string_view kJobTestSource = "RIVULET_JOB_TEST.MPF";
 
+/// The first stretch goes to where the axis stands. So the client sees, before anything moves,
+/// whether the program counts as the control did before it: it may have another work offset.
+inline constexpr int kStretchInPlace = 1;
+/// The whole way back.
+inline constexpr int kStretchOfWay = 2;
 /// Between two stretches, before the first and after the last: native blocks. Gaps count from 1.
-inline constexpr int kGapBefore = 1;      ///< one move, from where the axis stands at the start
-inline constexpr int kGapOfTwoMoves = 2;  ///< forth, and half of the way back
-inline constexpr int kGapOfDwell = 3;
-inline constexpr int kGapOfFirstTrial = 4;
+inline constexpr int kGapOfWay = 2;       ///< forth
+inline constexpr int kGapOfTwoMoves = 3;  ///< forth, and half of the way back
+inline constexpr int kGapOfFirstTrial = 5;
 inline constexpr double kTestDwellS = 2.0;
 
 struct JobTestJob {

@@ -69,8 +69,8 @@ bool isMotion(NativeReason kind) {
 }  // namespace
 
 JobTestRound::JobTestRound(opcua::Link& link, opcua::Control& control, const JobTestJob& job,
-                           const JobTestPlan& plan, JobTestScene scene, bool isFirst,
-                           const JobTestTalk& talk)
+                           const JobTestPlan& plan, JobTestScene scene, double beforeMm,
+                           bool isFirst, const JobTestTalk& talk)
     : m_control(link),
       m_machine(control),
       m_link(link, opcua::rParameter(job.programs.loop.cells.run),
@@ -78,10 +78,18 @@ JobTestRound::JobTestRound(opcua::Link& link, opcua::Control& control, const Job
       m_job(job),
       m_plan(plan),
       m_scene(scene),
+      m_beforeMm(beforeMm),
       m_startStep(isFirst ? CommissioningStep::CycleStart : CommissioningStep::CycleStartAgain),
       m_talk(talk) {
   if (scene == JobTestScene::StopInBlock) {
     m_link.withhold(WindowProtocol::kRun, kWithheld);
+  }
+}
+
+void JobTestRound::endHold(bool held) {
+  if (m_holds.now) {
+    (m_holds.now->isInBlock ? m_holds.inBlock : m_holds.inStretch) = held;
+    m_holds.now.reset();
   }
 }
 
@@ -90,6 +98,7 @@ void JobTestRound::proceed() {
 }
 
 void JobTestRound::nativeBlocks(int next) {
+  endHold(false);
   m_isArmed = false;
   m_isNative = true;
   m_gap = next;
@@ -104,21 +113,23 @@ void JobTestRound::nativeBlock(const job::NativeBlock& /*block*/) {
 }
 
 void JobTestRound::stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) {
-  if (m_holds.now) {
-    held() = false;  // what was to stand has come to its end
-    m_holds.now.reset();
+  endHold(false);  // what was to stand has come to its end
+  const double atMm = startMm[static_cast<std::size_t>(m_plan.move.axis)];
+  if (stretch.number == kStretchInPlace && std::abs(atMm - m_beforeMm) > kTestPlaceMm) {
+    m_countsFromMm = atMm;
+    m_stops = true;
   }
   const EquipmentSeen after = look();
   if (m_gap >= kGapOfFirstTrial) {
-    closeTrial(after, startMm[static_cast<std::size_t>(m_plan.move.axis)]);
+    closeTrial(after, atMm);
   }
   m_before = after;
   m_isNative = false;
   m_stretch = stretch.number;
   m_phaseStartMm.reset();
   proceed();
-  if (m_scene == JobTestScene::StopInBlock && stretch.number == 1) {
-    m_link.withhold(JobProtocol::goOn(1), kWithheld);
+  if (m_scene == JobTestScene::StopInBlock && stretch.number == kGapOfWay - 1) {
+    m_link.withhold(JobProtocol::goOn(stretch.number), kWithheld);
   }
 }
 
@@ -174,11 +185,12 @@ void JobTestRound::update(const LiveUpdate& update) {
   }
 }
 
-/// The loop has not returned, and no axis has moved.
+/// The loop has not returned and been called again, and no axis has moved.
 void JobTestRound::watchPermission(double atMm) {
   const std::array<opcua::Variable, 1> call{opcua::rParameter(m_job.programs.loop.callCell)};
   const auto seen = opcua::readNumbers(m_control, call, kSetupDeadline);
-  const bool isExecuted = seen && (*seen)[0] < 0.0;
+  const bool isExecuted =
+      seen && (*seen)[0] != JobProtocol::callNumber(m_job.programs.number, m_gap - 1);
   if (isExecuted || std::abs(atMm - *m_phaseStartMm) > kTestPlaceMm) {
     m_early = m_gap - 1;
     m_stops = true;
@@ -193,9 +205,10 @@ bool JobTestRound::isSceneOf(bool inBlock) const {
       return isPlace && inBlock && !m_hasActed;
     case JobTestScene::StopInStretch:
     case JobTestScene::LoseInStretch:
-      return isPlace && !inBlock && m_stretch == 1 && !m_hasActed;
+      return isPlace && !inBlock && m_stretch == kStretchOfWay && !m_hasActed;
     case JobTestScene::Whole:
-      return isPlace && (inBlock ? !m_holds.inBlock : m_stretch == 1 && !m_holds.inStretch);
+      return isPlace &&
+             (inBlock ? !m_holds.inBlock : m_stretch == kStretchOfWay && !m_holds.inStretch);
   }
   return false;
 }
@@ -217,7 +230,7 @@ void JobTestRound::actOnTheWay(double atMm, Instant at) {
       m_link.lose();
       return;
     case JobTestScene::Whole:
-      m_holds.now = Hold{at, at, atMm};
+      m_holds.now = Hold{at, at, atMm, m_isNative};
       return;
   }
 }
@@ -230,11 +243,9 @@ void JobTestRound::watchHold(double atMm, Instant at, const std::optional<FeedSe
   const bool acts = feed && feed->actsPercent == templates::FeedCell::kHold;
   const double way = std::abs((atMm - *m_phaseStartMm) / m_plan.move.mm);
   if (at - m_holds.now->stoodSince >= kHeldFor && acts && way < 1.0 - kWayLeast) {
-    held() = true;
-    m_holds.now.reset();
+    endHold(true);
   } else if (at - m_holds.now->from > kHoldPatience) {
-    held() = false;
-    m_holds.now.reset();
+    endHold(false);
     m_stops = true;
   }
 }

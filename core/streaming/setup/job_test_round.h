@@ -31,9 +31,11 @@ enum class JobTestScene {
 
 class JobTestRound final : public WholeJobSink, public RunOrders {
  public:
-  /// All of them outlive it. @param isFirst  the operator has not pressed cycle start yet
+  /// All of them outlive it. @param beforeMm  where the axis is, before the program
+  /// @param isFirst  the operator has not pressed cycle start yet
   JobTestRound(opcua::Link& link, opcua::Control& control, const JobTestJob& job,
-               const JobTestPlan& plan, JobTestScene scene, bool isFirst, const JobTestTalk& talk);
+               const JobTestPlan& plan, JobTestScene scene, double beforeMm, bool isFirst,
+               const JobTestTalk& talk);
 
   /// For the job.
   [[nodiscard]] JobTestLink& link() { return m_link; }
@@ -52,6 +54,8 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   [[nodiscard]] std::optional<bool> heldInStretch() const { return m_holds.inStretch; }
   /// It came to the blocks that are tried: what stops there may be theirs.
   [[nodiscard]] bool isTrying() const { return m_isNative && m_gap >= kGapOfFirstTrial; }
+  /// Where the axis is in the program, if it is elsewhere than before it: nothing has been moved.
+  [[nodiscard]] std::optional<double> countsFromMm() const { return m_countsFromMm; }
   /// The last block that was tried has taken the axis elsewhere: the job was ended there.
   [[nodiscard]] bool isElsewhere() const { return m_isElsewhere; }
   [[nodiscard]] std::vector<TriedBlock> tried() const { return m_tried; }
@@ -76,15 +80,14 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
     base::Instant from;
     base::Instant stoodSince;
     double atMm = 0.0;
+    bool isInBlock = false;
   };
 
   void proceed();
   void watchPermission(double atMm);
   void actOnTheWay(double atMm, base::Instant at);
   void watchHold(double atMm, base::Instant at, const std::optional<FeedSeen>& feed);
-  [[nodiscard]] std::optional<bool>& held() {
-    return m_isNative ? m_holds.inBlock : m_holds.inStretch;
-  }
+  void endHold(bool held);
   [[nodiscard]] bool isSceneOf(bool inBlock) const;
   [[nodiscard]] EquipmentSeen look();
   void closeTrial(const EquipmentSeen& after, double atMm);
@@ -95,6 +98,7 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   const JobTestJob& m_job;
   const JobTestPlan& m_plan;
   JobTestScene m_scene;
+  double m_beforeMm;
   CommissioningStep m_startStep;
   const JobTestTalk& m_talk;
 
@@ -114,6 +118,7 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   bool m_hasActed = false;
   bool m_isLost = false;
   bool m_isElsewhere = false;
+  std::optional<double> m_countsFromMm;
   bool m_hasWaited = false;  ///< for cycle start, in the gap
   std::optional<int> m_early;
   struct Holds {
