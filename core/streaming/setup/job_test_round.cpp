@@ -102,8 +102,8 @@ void JobTestRound::nativeBlocks(int next) {
   m_isArmed = false;
   m_isNative = true;
   m_gap = next;
-  m_movedMm = 0.0;
-  m_hasWaited = false;
+  m_inGap.movedMm = 0.0;
+  m_inGap.hasWaited = false;
   m_phaseStartMm.reset();
   proceed();
 }
@@ -123,7 +123,7 @@ void JobTestRound::stretchBegins(const job::Stretch& stretch, base::Vec3 startMm
   if (m_gap >= kGapOfFirstTrial) {
     closeTrial(after, atMm);
   }
-  m_before = after;
+  m_inGap.before = after;
   m_isNative = false;
   m_stretch = stretch.number;
   m_phaseStartMm.reset();
@@ -134,7 +134,7 @@ void JobTestRound::stretchBegins(const job::Stretch& stretch, base::Vec3 startMm
 }
 
 bool JobTestRound::waitsForCycleStart() {
-  m_hasWaited = true;
+  m_inGap.hasWaited = true;
   proceed();
   if (m_machine.abilities().startsOnRequest) {
     return true;
@@ -172,7 +172,7 @@ void JobTestRound::update(const LiveUpdate& update) {
     return;
   }
   const base::Vec3 here = *update.sample->positionMm;
-  m_movedMm += m_lastMm ? base::distance(here, *m_lastMm) : 0.0;
+  m_inGap.movedMm += m_lastMm ? base::distance(here, *m_lastMm) : 0.0;
   m_lastMm = here;
   const double atMm = here[static_cast<std::size_t>(m_plan.move.axis)];
   m_phaseStartMm = m_phaseStartMm.value_or(atMm);
@@ -268,13 +268,13 @@ void JobTestRound::closeTrial(const EquipmentSeen& after, double atMm) {
   block.kinds = m_job.kinds[index];
   std::vector<std::string> shown;
   for (const NativeReason kind : block.kinds) {
-    for (std::string& each : shownOf(kind, m_before, after)) {
+    for (std::string& each : shownOf(kind, m_inGap.before, after)) {
       shown.push_back(std::move(each));
     }
-    if (isMotion(kind) && m_movedMm > kTestPlaceMm) {
-      shown.push_back(fmt::format("the axes moved by {:.3f} mm", m_movedMm));
+    if (isMotion(kind) && m_inGap.movedMm > kTestPlaceMm) {
+      shown.push_back(fmt::format("the axes moved by {:.3f} mm", m_inGap.movedMm));
     }
-    if (kind == NativeReason::Stop && m_hasWaited) {
+    if (kind == NativeReason::Stop && m_inGap.hasWaited) {
       shown.emplace_back("the program waited for cycle start");
     }
   }

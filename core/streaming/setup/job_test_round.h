@@ -109,7 +109,6 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   std::optional<base::Instant> m_changedAt;
   std::optional<double> m_phaseStartMm;
   std::optional<base::Vec3> m_lastMm;
-  double m_movedMm = 0.0;  ///< in the gap
 
   bool m_stops = false;
   std::optional<base::Instant> m_stoppedAt;
@@ -119,7 +118,6 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   bool m_isLost = false;
   bool m_isElsewhere = false;
   std::optional<double> m_countsFromMm;
-  bool m_hasWaited = false;  ///< for cycle start, in the gap
   std::optional<int> m_early;
   struct Holds {
     std::optional<Hold> now;
@@ -129,7 +127,13 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   Holds m_holds;
 
   EquipmentWatch m_equipment;
-  EquipmentSeen m_before;
+  /// What the blocks of a gap have done.
+  struct Gap {
+    EquipmentSeen before;  ///< at the beginning of the stretch before
+    double movedMm = 0.0;
+    bool hasWaited = false;  ///< for cycle start
+  };
+  Gap m_inGap;
   std::vector<TriedBlock> m_tried;
 };
 
