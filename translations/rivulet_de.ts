@@ -2252,7 +2252,7 @@
     </message>
     <message>
         <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
-        <translation>4. Der Auftrag wird in einem Satz und in einem Abschnitt gestoppt und alleingelassen, dann läuft er durch: jedes Mal Zyklusstart drücken, insgesamt %1-mal.</translation>
+        <translation>4. Der Auftrag wird in einem Satz und in einem Abschnitt gestoppt und alleingelassen, dann läuft er durch: jedes Mal NC-Start drücken, insgesamt %1-mal.</translation>
     </message>
     <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>

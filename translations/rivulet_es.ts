@@ -2252,7 +2252,7 @@
     </message>
     <message>
         <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
-        <translation>4. El trabajo se para y se deja solo, en un bloque y en un tramo, y luego llega al final: pulsar cada vez inicio de ciclo, %1 veces en total.</translation>
+        <translation>4. El trabajo se para y se deja solo, en un bloque y en un tramo, y luego llega al final: pulsar cada vez Marcha CN, %1 veces en total.</translation>
     </message>
     <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>

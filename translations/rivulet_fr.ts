@@ -2252,7 +2252,7 @@
     </message>
     <message>
         <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
-        <translation>4. La tâche est arrêtée et laissée seule, dans un bloc et dans une section, puis elle va jusqu’au bout : appuyer chaque fois sur départ cycle, %1 fois en tout.</translation>
+        <translation>4. La tâche est arrêtée et laissée seule, dans un bloc et dans une section, puis elle va jusqu’au bout : appuyer chaque fois sur Départ cycle, %1 fois en tout.</translation>
     </message>
     <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>

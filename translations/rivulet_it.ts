@@ -2252,7 +2252,7 @@
     </message>
     <message>
         <source>4. The job is stopped and left alone, in a block and in a stretch, then it goes through: press cycle start each time, %1 times in all.</source>
-        <translation>4. Il lavoro viene arrestato e lasciato solo, in un blocco e in un tratto, poi va fino in fondo: premere ogni volta avvio ciclo, %1 volte in tutto.</translation>
+        <translation>4. Il lavoro viene arrestato e lasciato solo, in un blocco e in un tratto, poi va fino in fondo: premere ogni volta Start NC, %1 volte in tutto.</translation>
     </message>
     <message>
         <source>Passed: whole jobs may run on this control, with the blocks that were tried</source>
