@@ -492,7 +492,8 @@ class WholeJob : public HostedRun {
         return leaveHeld();
       }
       if (next > 0 && state->call == call(m_stretches[next - 1]->number)) {
-        if (Result<void> returns = awaitReturn(m_stretches[next - 1]->number); !returns) {
+        if (Result<void> returns = awaitReturn(*m_stretches[next - 1], state->isInterrupted);
+            !returns) {
           return returns;
         }
       }
@@ -518,15 +519,19 @@ class WholeJob : public HostedRun {
     return {};
   }
 
-  /// The loop has been permitted to return, and has not yet.
-  [[nodiscard]] Result<void> awaitReturn(int stretch) const {
-    if (m_isHeld || m_isStopped || m_link.now() < m_permittedAt + m_settings.stallDeadline) {
+  /// The loop has been permitted to return, and has not yet. What somebody has stopped or holds is
+  /// waited for.
+  Result<void> awaitReturn(const job::Stretch& stretch, bool isInterrupted) {
+    if (isInterrupted || m_isHeld || m_isStopped || m_feed.holds()) {
+      m_permittedAt = m_link.now();
+    }
+    if (m_link.now() < m_permittedAt + m_settings.stallDeadline) {
       return {};
     }
     return base::fail(
         StreamError::StreamStalled,
         fmt::format("The control did not go on after stretch {}. Reset it, and check its program.",
-                    stretch));
+                    stretch.number));
   }
 
   /// Of a stretch. @param index  in `m_stretches`; after the last: one more than its number
@@ -689,7 +694,6 @@ class WholeJob : public HostedRun {
       return {};
     }
     m_isHeld = holds;
-    m_permittedAt = m_link.now();
     publish(holds ? RunState::Holding : RunState::Running, "native-blocks");
     return writeRun(holds ? WindowProtocol::kHold : m_lastGoOn);
   }
@@ -896,7 +900,7 @@ class WholeJob : public HostedRun {
   TraceFetch m_fetch;
   int m_firstRun = 0;
   int m_lastGoOn = 0;
-  Instant m_permittedAt{};  ///< the last time that was written
+  Instant m_permittedAt{};  ///< to go on, or held since
   bool m_isStarted = false;
   bool m_isStopped = false;
   bool m_isHeld = false;
