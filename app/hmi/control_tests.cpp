@@ -60,7 +60,7 @@ void ControlTests::start(session::CommissionCommand command) {
 }
 
 void ControlTests::confirmBlock(std::size_t index) {
-  if (!m_jobs || index >= m_jobs->result.tried.size()) {
+  if (blocked() || !m_jobs || index >= m_jobs->result.tried.size()) {
     return;
   }
   streaming::TriedBlock& block = m_jobs->result.tried[index];

@@ -3,7 +3,8 @@
 
 /// @file
 /// The tests that a control must pass: before method credit or whole jobs may run on it, and before
-/// a stop is promised by the feed cell. The results are kept for the machine, as the command line does it.
+/// a stop is promised by the feed cell. The results are kept for the machine, as the command line
+/// does it.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -29,7 +30,8 @@ class ControlTests final : public QObject {
   /// Nothing stands in the way: begins. Else nothing happens; `blocked` says why.
   void start(session::CommissionCommand command);
   void cancel();
-  /// The operator has seen the control execute this block of the test of whole jobs.
+  /// The operator has seen the control execute this block of the test of whole jobs. Nothing
+  /// happens where a test could not be started.
   void confirmBlock(std::size_t index);
   /// The rules are those of a calibration: connected, in reset, nothing else in progress.
   [[nodiscard]] std::optional<streaming::Blocked> blocked() const {

@@ -148,6 +148,13 @@ class TestControlTests : public QObject {
             std::string::npos);
     models.tests.confirmBlock(1);
     QVERIFY(!blocked());
+    // Not without the machine.
+    models.machine.disconnectFrom();
+    QTRY_VERIFY_WITH_TIMEOUT(models.tests.blocked().has_value(), kSoonMs);
+    models.tests.confirmBlock(0);
+    models.machine.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_VERIFY_WITH_TIMEOUT(models.tests.jobTest().has_value(), kSoonMs);
+    QVERIFY(models.tests.jobTest()->result.tried[0].witness == streaming::Witness::Control);
     const auto kept =
         models.store.jobTest(tests::SimulatedControl::endpoint(), models.machine.link().server);
     QVERIFY(kept && *kept && (*kept)->result.tried[1].witness == streaming::Witness::Operator);

@@ -232,6 +232,7 @@ void CommissioningPage::showSteps() {
 }
 
 void CommissioningPage::showResult() {
+  m_seen.clear();
   while (QLayoutItem* item = m_checks->takeAt(0)) {
     item->widget()->hide();
     item->widget()->deleteLater();
@@ -296,15 +297,20 @@ void CommissioningPage::showTried() {
       auto* seen = new QPushButton(tr("I have seen it"), row);
       connect(seen, &QPushButton::clicked, this, [this, i] { Q_EMIT blockConfirmed(i); });
       line->addWidget(seen);
+      m_seen.push_back(seen);
     }
     m_checks->addWidget(row);
     row->show();
   }
+  showButtons();
 }
 
 void CommissioningPage::showButtons() {
   const QString move = moveProblem();
   m_start->setEnabled(!m_step && m_blocked.isEmpty() && m_confirmed->isChecked() && move.isEmpty());
+  for (QPushButton* seen : m_seen) {
+    seen->setEnabled(m_blocked.isEmpty());  // who may not test may not release either
+  }
   m_cancel->setVisible(m_step.has_value());
   m_confirmed->setEnabled(!m_step);
   const QString why = !m_blocked.isEmpty()        ? m_blocked

@@ -92,6 +92,7 @@ class CommissioningPage final : public Page {
       button({.text = QT_TR_NOOP("Cancel")}, &CommissioningPage::cancelRequested);
   StatusLabel* m_blockedLabel;
   QVBoxLayout* m_checks;
+  std::vector<QPushButton*> m_seen;  ///< of the blocks that the operator may confirm
   QLabel* m_machine = value({.isMuted = true, .wraps = true});
 
   std::optional<ShownTest> m_test;

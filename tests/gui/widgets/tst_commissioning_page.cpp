@@ -173,6 +173,9 @@ class TestCommissioningPage : public QObject {
     page.setTest(shownTest(test), false);
     QVERIFY(test::visibleText(page).contains("spindle 0 → 500."));
     QVERIFY(seen() != nullptr);
+    page.setBlocked("Only an engineer can do this.");
+    QVERIFY(!seen()->isEnabled());
+    page.setBlocked({});
     QTest::mouseClick(seen(), Qt::LeftButton);
     QCOMPARE(confirmed.count(), 1);
     QCOMPARE(confirmed[0][0].value<std::size_t>(), std::size_t{1});
