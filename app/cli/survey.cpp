@@ -19,6 +19,7 @@
 #include "opcua/await.h"
 #include "opcua/node_map.h"
 #include "opcua/rights.h"
+#include "opcua/survey_format.h"
 #include "platform/interrupt.h"
 #include "streaming/run/run.h"
 
@@ -36,7 +37,6 @@ constexpr base::Duration kSurveyDeadline = std::chrono::seconds{5};
 constexpr int kSurveyReads = 30;
 constexpr int kSurveyReadsMin = 5;
 constexpr int kSurveyNodes = 150;
-constexpr int kSurveyedParameters = 100'000;
 
 /// What a run or its display reads, one of each kind.
 constexpr std::array kSurveyedVariables{
@@ -59,8 +59,9 @@ class Survey {
       : m_connection(connection), m_link(*connection.link) {}
 
   base::Result<ordered_json> make() {
-    ordered_json survey{
-        {"rivulet_survey", 1}, {"tool_version", RIVULET_VERSION}, {"surveyed_at_utc", utcNow()}};
+    ordered_json survey{{opcua::kSurveyKey, opcua::kSurveyFormat},
+                        {"tool_version", RIVULET_VERSION},
+                        {"surveyed_at_utc", utcNow()}};
     const auto identity = m_connection.control->identity();
     if (!identity) {
       return base::fail(identity.error());
@@ -128,14 +129,14 @@ class Survey {
   /// How many R-parameters there are: the first that cannot be read, by halving.
   base::Result<void> parameters(ordered_json& survey) {
     int there = -1;
-    int missing = kSurveyedParameters;
+    int missing = opcua::kSurveyedParametersMax;
     for (int next = 0; there + 1 < missing;) {
       const auto reading = readOne(opcua::rParameter(next));
       if (!reading) {
         return base::fail(reading.error());
       }
       (reading->status ? missing : there) = next;
-      const bool isOpen = missing == kSurveyedParameters;
+      const bool isOpen = missing == opcua::kSurveyedParametersMax;
       next = isOpen ? std::min(2 * there + 1, missing - 1) : there + (missing - there) / 2;
       if (isOpen && there == missing - 1) {
         break;

@@ -15,16 +15,14 @@
 #include "base/error.h"
 #include "opcua/grouping.h"
 #include "opcua/rights.h"
+#include "opcua/survey_format.h"
 
 namespace rivulet::machine {
 
 namespace {
 
-using base::Duration;
 using nlohmann::json;
 
-constexpr int kSurveyFormat = 1;
-constexpr int kParametersMax = 100'000;
 /// The worst of some thirty reads is about so many standard deviations above their median.
 constexpr double kWorstSigmas = 2.0;
 /// An array that costs less than this share of its elements one by one is charged as one node.
@@ -85,7 +83,7 @@ void fitLists(AccessCost& access, const std::vector<Timed>& reads) {
   access.nodeTimeMin = std::min(access.nodeTimeMin, access.nodeTimeMean);
 }
 
-void fitArrays(AccessCost& access, const json& timed, const std::vector<Timed>& lists) {
+void fitArrays(AccessCost& access, const json& timed) {
   const auto counts = readsOf(timed, opcua::Grouping::ArrayCount);
   const auto ranges = readsOf(timed, opcua::Grouping::ArrayRange);
   access.arrays.count = !counts.empty();
@@ -98,9 +96,8 @@ void fitArrays(AccessCost& access, const json& timed, const std::vector<Timed>& 
                                         [](auto& a, auto& b) { return a.cells < b.cells; });
   const double listMs = base::toMilliseconds(access.readOverhead) +
                         longest->cells * base::toMilliseconds(access.nodeTimeMean);
-  access.arrays.charge = !lists.empty() && longest->medianMs < kNodeShare * listMs
-                             ? ArrayCharge::Node
-                             : ArrayCharge::Element;
+  access.arrays.charge =
+      longest->medianMs < kNodeShare * listMs ? ArrayCharge::Node : ArrayCharge::Element;
 }
 
 /// Those of the survey that the machine has not, and the other way round.
@@ -153,7 +150,7 @@ std::error_code make_error_code(SurveyError code) {
 
 base::Result<Surveyed> asSurveyed(MachineConfig config, const std::string& text) {
   const json survey = json::parse(text, nullptr, false);
-  if (!survey.is_object() || survey.value("rivulet_survey", json()) != kSurveyFormat) {
+  if (!survey.is_object() || survey.value(opcua::kSurveyKey, json()) != opcua::kSurveyFormat) {
     return base::fail(SurveyError::NotASurvey,
                       "This is not a survey: rivulet-cli survey writes one with -o.");
   }
@@ -164,7 +161,8 @@ base::Result<Surveyed> asSurveyed(MachineConfig config, const std::string& text)
     return base::fail(SurveyError::Damaged,
                       fmt::format("The survey does not say {}. Make it again.", what));
   };
-  if (!parameters.is_number_integer() || parameters < 1 || parameters > kParametersMax) {
+  if (!parameters.is_number_integer() || parameters < 1 ||
+      parameters > opcua::kSurveyedParametersMax) {
     return damaged("how many R-parameters there are");
   }
   if (!axes.is_array()) {
@@ -178,7 +176,7 @@ base::Result<Surveyed> asSurveyed(MachineConfig config, const std::string& text)
   Surveyed made{std::move(config), true, {}};
   made.config.rParameterCount = parameters.get<int>();
   fitLists(made.config.access, lists);
-  fitArrays(made.config.access, access, lists);
+  fitArrays(made.config.access, access);
   compareAxes(made, axes);
   takeRights(made, survey.value("rights", json()));
   made.assumed.emplace_back("the limits of the axes, the cycles, and what writing costs");
