@@ -66,7 +66,7 @@ void print(const streaming::JobCommissioning& result) {
 }
 
 /// For the time that is said.
-constexpr int kMovesOfJobTest = 14;
+constexpr int kMovesOfJobTest = 17;
 
 bool isByHand(const CommissionOptions& options) {
   return options.transfer == "by-hand";

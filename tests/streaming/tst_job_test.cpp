@@ -175,6 +175,16 @@ class TestJobTest : public QObject {
     QVERIFY(!releases(NativeReason::Cycle, "CYCLE81(1,0,1,-5)"));
   }
 
+  /// A line of it that shows nothing is not released by one that does.
+  void everyKindOfABlockHasToBeSeen() {
+    World world;
+    const auto result = world.test({QStringLiteral("S500 M3\nM27"), QStringLiteral("M5\nG4 F1")});
+    QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());
+    QVERIFY2(result->passed() && result->tried.size() == 2, textOf(*result).c_str());
+    QVERIFY2(result->tried[0].witness == Witness::Nobody, textOf(*result).c_str());
+    QVERIFY2(result->tried[1].witness == Witness::Control, textOf(*result).c_str());
+  }
+
   /// It takes the axis elsewhere, and nothing that was meant for its place before moves it.
   void aBlockThatMovesTheAxisEndsTheTest() {
     World world;

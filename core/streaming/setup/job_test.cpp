@@ -17,7 +17,6 @@
 #include "streaming/run/run.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/setup/job_test_job.h"
-#include "streaming/setup/job_test_link.h"
 #include "streaming/setup/job_test_round.h"
 #include "streaming/setup/program_test.h"
 
@@ -36,13 +35,14 @@ using templates::FeedCell;
 constexpr Duration kSteady = std::chrono::milliseconds{500};
 constexpr Duration kBrakes = std::chrono::seconds{3};
 constexpr Duration kStaysFor = std::chrono::seconds{2};
+/// A dwell as the client sees it: it looks every 20 ms, twice.
+constexpr double kDwellToleranceS = 0.1;
+
+/// One start of the job, when it has ended.
 struct Played {
   std::unique_ptr<JobTestRound> round;
   WholeJobReport report;
 };
-
-/// A dwell as the client sees it: it looks every 20 ms, twice.
-constexpr double kDwellToleranceS = 0.1;
 
 class JobTest : ProgramTest {
  public:
@@ -116,11 +116,21 @@ class JobTest : ProgramTest {
 
   [[nodiscard]] std::size_t axis() const { return static_cast<std::size_t>(m_jobPlan.move.axis); }
 
-  /// Runs the job once. @return the error if it says nothing of what is tested
-  Result<WholeJobReport> play(JobTestRound& round) {
-    WholeJobReport report = runWholeJob(round.link(), m_control, m_job.plan, m_job.programs,
-                                        m_job.settings, round, round);
-    ++m_starts;
+  /// Runs the job once, from where the axis stands now.
+  /// @return the error if it says nothing of what is tested
+  Result<Played> play(JobTestScene scene) {
+    const auto before = place();
+    if (!before) {
+      return base::fail(before.error());
+    }
+    const double beforeMm = (*before)[axis()];
+    Played played{std::make_unique<JobTestRound>(m_link, m_control, m_job, m_jobPlan, scene,
+                                                 beforeMm, m_isFirst, m_talk),
+                  {}};
+    JobTestRound& round = *played.round;
+    m_isFirst = false;
+    played.report = runWholeJob(round.link(), m_control, m_job.plan, m_job.programs, m_job.settings,
+                                round, round);
     if (round.isCancelled()) {
       return base::fail(StreamError::Cancelled,
                         "The test was aborted. Reset the control if its program is still running.");
@@ -131,19 +141,21 @@ class JobTest : ProgramTest {
           fmt::format("In a program {} is at {:.3f} mm, and without one at {:.3f} mm: another work "
                       "offset or tool length is active there. Nothing was moved. Activate before "
                       "the test what a program begins with.",
-                      base::kAxisNames[axis()], *round.countsFromMm(), m_beforeMm));
+                      base::kAxisNames[axis()], *round.countsFromMm(), beforeMm));
     }
-    const std::error_code code = report.error.code;
-    const bool isElsewhere =
-        (code && code.category() == make_error_code(opcua::LinkError::NotReachable).category() &&
-         !round.isLost()) ||
-        code == StreamError::NotStarted || code == StreamError::ChannelBusy ||
-        code == StreamError::TransferRefused ||
-        (code == StreamError::ControlAlarm && round.isTrying());
-    if (isElsewhere) {
-      return base::fail(report.error);
+    if (isNoVerdict(played.report.error.code, round)) {
+      return base::fail(played.report.error);
     }
-    return report;
+    return played;
+  }
+
+  /// What ended the job says nothing of the control.
+  static bool isNoVerdict(const std::error_code& code, const JobTestRound& round) {
+    const bool isOfLink =
+        code && code.category() == make_error_code(opcua::LinkError::NotReachable).category();
+    return (isOfLink && !round.isLost()) || code == StreamError::NotStarted ||
+           code == StreamError::ChannelBusy || code == StreamError::TransferRefused ||
+           (code == StreamError::ControlAlarm && round.isTrying());
   }
 
   /// The job came as far as the scene wants it. @return false: a check has failed
@@ -158,24 +170,6 @@ class JobTest : ProgramTest {
       return false;
     }
     return true;
-  }
-
-  /// Runs the scene, from where the axis stands now.
-  Result<Played> play(JobTestScene scene) {
-    const auto before = place();
-    if (!before) {
-      return base::fail(before.error());
-    }
-    m_beforeMm = (*before)[axis()];
-    Played played{std::make_unique<JobTestRound>(m_link, m_control, m_job, m_jobPlan, scene,
-                                                 m_beforeMm, m_starts == 0, m_talk),
-                  {}};
-    Result<WholeJobReport> report = play(*played.round);
-    if (!report) {
-      return base::fail(report.error());
-    }
-    played.report = std::move(*report);
-    return played;
   }
 
   Result<void> stopInBlock() {
@@ -338,15 +332,18 @@ class JobTest : ProgramTest {
     if (!m_result.passed() || !handedOver(round, report)) {
       return {};
     }
-    const bool isWhole = report.outcome == Outcome::Completed || round.isElsewhere();
-    const bool isJudged = report.integrity.judged;
-    add("hand-over",
-        isWhole && round.heldInBlock() && round.heldInStretch() &&
-            (!isJudged || report.integrity.isFaultless()),
-        isJudged && !report.integrity.isFaultless()
-            ? "By the control's trace not every point was executed once and in order."
-            : fmt::format("Blocks and {} stretches were executed in turns, once and in order{}.",
-                          report.stretches.size(), isJudged ? ", by the control's trace too" : ""));
+    const bool isThrough = report.outcome == Outcome::Completed || round.isElsewhere();
+    const bool isHeld = round.heldInBlock() && round.heldInStretch();
+    const trace::Integrity& trace = report.integrity;
+    const bool isFaulty = trace.judged && !trace.isFaultless();
+    add("hand-over", isThrough && isHeld && !isFaulty,
+        isFaulty     ? "By the control's trace not every point was executed once and in order."
+        : !isThrough ? "The job was ended before its last block."
+        : !isHeld    ? "The axis was not seen on its way, so that it could not be held."
+                     : fmt::format("Blocks and {} stretches were executed in turns, once and in "
+                                      "order{}.",
+                                   report.stretches.size(),
+                                trace.judged ? ", by the control's trace too" : ""));
     judgeDwell(report);
     m_result.tried = round.tried();
     askOperator();
@@ -409,21 +406,13 @@ class JobTest : ProgramTest {
   const JobTestTalk& m_talk;
   JobTestJob m_job;
   JobCommissioning m_result;
-  int m_starts = 0;
-  double m_beforeMm = 0.0;  ///< the axis, before the program was started last
+  bool m_isFirst = true;  ///< start of the job
 };
 
 /// What such a block does is known for each text alone.
 bool isOneMachines(NativeReason reason) {
   return reason == NativeReason::Other || reason == NativeReason::Subprogram ||
          reason == NativeReason::Probing;
-}
-
-/// The test itself has such blocks.
-bool isOfTest(NativeReason reason) {
-  return reason == NativeReason::Dwell || reason == NativeReason::Message ||
-         reason == NativeReason::Mode || reason == NativeReason::End ||
-         reason == NativeReason::UnknownPosition;
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct JobTestPlan : CommissioningPlan {
 /// How it is known that a block was executed.
 enum class Witness {
   Nobody,    ///< the control shows nothing of it, and nobody has said so
-  Control,   ///< it showed what the block does
+  Control,   ///< it showed what the block does, of each kind of its lines
   Operator,  ///< he has seen it
 };
 /// "nobody", "control", "operator".

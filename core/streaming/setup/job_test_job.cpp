@@ -124,14 +124,20 @@ RunSettings settingsOf(const JobTestPlan& plan) {
   RunSettings settings;
   settings.parameters.baseCell = plan.firstCell;
   settings.parameters.pointsPerLoop = kPointsPerWindow;
-  settings.parameters.rParameterCount =
-      std::max(settings.parameters.rParameterCount, plan.firstCell + kJobTestCells);
+  settings.parameters.rParameterCount = plan.firstCell + kJobTestCells;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(plan.move.feedMmPerMin);
   settings.startDeadline = plan.startDeadline;
   return settings;
 }
 
 }  // namespace
+
+bool isOfTest(job::NativeReason reason) {
+  using job::NativeReason;
+  return reason == NativeReason::Dwell || reason == NativeReason::Message ||
+         reason == NativeReason::Mode || reason == NativeReason::End ||
+         reason == NativeReason::UnknownPosition;
+}
 
 Result<JobTestJob> makeJobTestJob(const JobTestPlan& plan, base::Vec3 startMm) {
   const Written written = programOf(plan, startMm);

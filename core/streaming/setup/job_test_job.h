@@ -27,10 +27,12 @@ inline constexpr int kStretchInPlace = 1;
 /// The whole way back.
 inline constexpr int kStretchOfWay = 2;
 /// Between two stretches, before the first and after the last: native blocks. Gaps count from 1.
-inline constexpr int kGapOfWay = 2;       ///< forth
 inline constexpr int kGapOfTwoMoves = 3;  ///< forth, and half of the way back
 inline constexpr int kGapOfFirstTrial = 5;
 inline constexpr double kTestDwellS = 2.0;
+
+/// The test itself has such blocks: they need no trial, and show nothing.
+[[nodiscard]] bool isOfTest(job::NativeReason reason);
 
 struct JobTestJob {
   job::Plan plan;

@@ -128,7 +128,7 @@ void JobTestRound::stretchBegins(const job::Stretch& stretch, base::Vec3 startMm
   m_stretch = stretch.number;
   m_phaseStartMm.reset();
   proceed();
-  if (m_scene == JobTestScene::StopInBlock && stretch.number == kGapOfWay - 1) {
+  if (m_scene == JobTestScene::StopInBlock && stretch.number == kStretchInPlace) {
     m_link.withhold(JobProtocol::goOn(stretch.number), kWithheld);
   }
 }
@@ -258,6 +258,18 @@ EquipmentSeen JobTestRound::look() {
   return readings ? m_equipment.take(*readings) : EquipmentSeen{};
 }
 
+std::vector<std::string> JobTestRound::shownBy(NativeReason kind,
+                                               const EquipmentSeen& after) const {
+  std::vector<std::string> shown = shownOf(kind, m_inGap.before, after);
+  if (isMotion(kind) && m_inGap.movedMm > kTestPlaceMm) {
+    shown.push_back(fmt::format("the axes moved by {:.3f} mm", m_inGap.movedMm));
+  }
+  if (kind == NativeReason::Stop && m_inGap.hasWaited) {
+    shown.emplace_back("the program waited for cycle start");
+  }
+  return shown;
+}
+
 void JobTestRound::closeTrial(const EquipmentSeen& after, double atMm) {
   const auto index = static_cast<std::size_t>(m_gap - kGapOfFirstTrial);
   if (index >= m_plan.blocks.size()) {
@@ -267,22 +279,18 @@ void JobTestRound::closeTrial(const EquipmentSeen& after, double atMm) {
   block.text = m_plan.blocks[index];
   block.kinds = m_job.kinds[index];
   std::vector<std::string> shown;
+  bool isAllShown = true;
   for (const NativeReason kind : block.kinds) {
-    for (std::string& each : shownOf(kind, m_inGap.before, after)) {
-      shown.push_back(std::move(each));
-    }
-    if (isMotion(kind) && m_inGap.movedMm > kTestPlaceMm) {
-      shown.push_back(fmt::format("the axes moved by {:.3f} mm", m_inGap.movedMm));
-    }
-    if (kind == NativeReason::Stop && m_inGap.hasWaited) {
-      shown.emplace_back("the program waited for cycle start");
-    }
+    const std::vector<std::string> ofKind = shownBy(kind, after);
+    isAllShown = isAllShown && (!ofKind.empty() || isOfTest(kind));
+    shown.insert(shown.end(), ofKind.begin(), ofKind.end());
   }
   std::sort(shown.begin(), shown.end());
   shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
-  block.witness = shown.empty() ? Witness::Nobody : Witness::Control;
+  block.witness = isAllShown && !shown.empty() ? Witness::Control : Witness::Nobody;
   block.message = shown.empty() ? std::string("The control shows nothing of it.")
-                                : fmt::format("{}.", fmt::join(shown, ", "));
+                                : fmt::format("{}{}.", fmt::join(shown, ", "),
+                                              isAllShown ? "" : "; of the rest it shows nothing");
   // Where the stretch before has left the axis.
   const double wasMm = index % 2 == 0 ? m_job.nearMm : m_job.farMm;
   if (std::abs(atMm - wasMm) > kTestPlaceMm) {

@@ -90,6 +90,9 @@ class JobTestRound final : public WholeJobSink, public RunOrders {
   void endHold(bool held);
   [[nodiscard]] bool isSceneOf(bool inBlock) const;
   [[nodiscard]] EquipmentSeen look();
+  /// What the control has shown in the gap of a block of this kind.
+  [[nodiscard]] std::vector<std::string> shownBy(job::NativeReason kind,
+                                                 const EquipmentSeen& after) const;
   void closeTrial(const EquipmentSeen& after, double atMm);
 
   opcua::Link& m_control;
